@@ -60,6 +60,8 @@ ocio::ConstConfigRcPtr config_at(const std::filesystem::path& path) try {
   throw Error(fmt::format("{}: {}", path.empty() ? "config.ocio" : path.string(), problem.what()));
 }
 
+constexpr const char *usual_view = "Hue-preserving", *view_of_others = "Un-tone-mapped";
+
 /// Active ones of a user's configuration; all of the built-in one, whatever OCIO_ACTIVE_DISPLAYS and
 /// OCIO_ACTIVE_VIEWS say.
 std::vector<std::string> displays_at(const std::filesystem::path& path) {
@@ -227,7 +229,11 @@ std::string display_named(const std::string& name, const std::filesystem::path& 
 
 std::string view_named(const std::string& name, const std::string& display,
                        const std::filesystem::path& config) {
-  return one_of("view", name, views(display, config));
+  const auto all = views(display, config);
+  if (name == usual_view && std::ranges::find(all, name) == all.end() &&
+      std::ranges::find(all, view_of_others) != all.end())
+    return view_of_others;
+  return one_of("view", name, all);
 }
 
 std::string fingerprint(WorkingSpace space, const DisplayTransform& development) {

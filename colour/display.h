@@ -18,7 +18,7 @@ using Image = algebra::Grid<Rgb>;  ///< [row][column], the top row first
 /// Exposure, view and display that make a picture of a scene-linear frame.
 struct DisplayTransform {
   double scale = 1;  ///< exposure: factor of every channel before the view; above 0
-  std::string view = "Un-tone-mapped";
+  std::string view = "Hue-preserving";
   std::string display = "sRGB";
   std::filesystem::path config = {};  ///< an OpenColorIO configuration; empty: the built-in one
   std::string config_space =
@@ -65,7 +65,8 @@ std::vector<std::string> displays(const std::filesystem::path& config = {});
 std::vector<std::string> views(const std::string& display = "sRGB",
                                const std::filesystem::path& config = {});
 
-/// Display or view as the configuration spells it, found in any case of letters.
+/// Display or view as the configuration spells it, found in any case of letters. A configuration that has no
+/// Hue-preserving shows its Un-tone-mapped instead, if it has that.
 ///
 /// Throws  Error  when the configuration cannot be read or has none of that name: names those it has
 std::string display_named(const std::string& name, const std::filesystem::path& config = {});

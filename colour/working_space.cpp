@@ -169,6 +169,20 @@ double luminance(WorkingSpace space, std::span<const double> channels) {
   return (matrices(space).xyz_from_channels * vector_of(channels)).y;
 }
 
+double brightest_channel(WorkingSpace space, std::span<const double> channels) {
+  using enum WorkingSpace;
+  if (space == linear_rec709) return std::ranges::max(channels);
+  static const auto rec709 = [] {
+    std::array<glm::dmat3, 3> from{};
+    for (const auto each : all_spaces)
+      from[static_cast<std::size_t>(each)] =
+          matrices(linear_rec709).channels_from_xyz * matrices(each).xyz_from_channels;
+    return from;
+  }();
+  const auto rgb = rec709[static_cast<std::size_t>(space)] * vector_of(channels);
+  return std::max({rgb.x, rgb.y, rgb.z});
+}
+
 glm::dvec3 white(WorkingSpace space) { return matrices(space).channels_from_xyz * unit_xyz(d65); }
 
 void into_gamut(WorkingSpace space, std::span<double> channels) {

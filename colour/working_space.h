@@ -65,6 +65,11 @@ std::array<float, 8> chromaticities(WorkingSpace space);
 /// Given  channels  three
 double luminance(WorkingSpace space, std::span<const double> channels);
 
+/// Brightest of red, green and blue, whichever space a colour is in: the first of Rec.709's channels to clip [cd/m²].
+///
+/// Given  channels  three
+double brightest_channel(WorkingSpace space, std::span<const double> channels);
+
 /// D65 of luminance 1 in the channels of a space.
 glm::dvec3 white(WorkingSpace space);
 

@@ -15,6 +15,7 @@
 #include "eclipse/feature.h"
 #include "uses/light/photometric_bands.h"
 #include "uses/night/calendar_file.h"
+#include "uses/night/eclipse_light.h"
 #include "uses/picture/brightness.h"
 #include "uses/picture/place_text.h"
 #include "verbs/command_line.h"
@@ -50,7 +51,8 @@ struct Listed {
   eclipse::Eclipse eclipse;
   std::optional<uses::MoonBrightness> brightness{};  ///< at greatest eclipse
   std::optional<eclipse::FeatureTimes> feature{};
-  std::optional<std::string> seen{};  ///< first and last contact with the Moon above the horizon
+  std::optional<uses::Circumstances> night{};  ///< at the observer's place
+  std::optional<std::string> seen{};           ///< first and last contact that is seen
 };
 
 /// Eclipses of some years: what the command prints.
@@ -192,7 +194,10 @@ EclipseList listed(const Options& options) {
   for (const auto& e : eclipse::eclipses_between(from, to, convention_from(options.convention))) {
     Listed& one = list.eclipses.emplace_back(Listed{e});
     one.eclipse.calendar = options.calendar;
-    if (list.observer) one.seen = uses::contacts_seen(e, *list.observer);
+    if (list.observer) {
+      one.night = uses::seen_circumstances(e, *list.observer);
+      one.seen = uses::contacts_seen(*one.night);
+    }
     if (list.feature) one.feature = eclipse::feature_times(e, *list.feature);
     if (options.brightness) one.brightness = uses::brightness_of({}, almanac::sky_at(e.greatest));
   }
@@ -223,13 +228,26 @@ std::vector<eclipse::Eclipse> eclipses_of(const EclipseList& list) {
   return eclipses;
 }
 
+std::vector<uses::Circumstances> nights_of(const EclipseList& list) {
+  std::vector<uses::Circumstances> nights;
+  for (const auto& each : list.eclipses) nights.push_back(*each.night);
+  return nights;
+}
+
+std::string place_name(const EclipseList& list) {
+  const auto city = almanac::city_named(list.at);
+  return city ? city->name : uses::place_text(*list.observer);
+}
+
+void require_in_calendars(const EclipseList& list) {
+  if (list.observer && !list.eclipses.empty())
+    return uses::require_in_calendars(nights_of(list), place_name(list));
+  uses::require_in_calendars(eclipses_of(list));
+}
+
 std::string as_calendar(const EclipseList& list) {
-  std::string place;
-  if (const auto city = almanac::city_named(list.at))
-    place = city->name;
-  else if (list.observer)
-    place = uses::place_text(*list.observer);
-  return uses::as_calendar(eclipses_of(list), list.observer, place, now());
+  if (list.observer) return uses::as_calendar(nights_of(list), place_name(list), now());
+  return uses::as_calendar(eclipses_of(list), now());
 }
 
 const Writers<EclipseList>& writers() {
@@ -248,12 +266,17 @@ const Writers<EclipseList>& writers() {
 void run(const Options& options) {
   require_writers(options.outputs, writers(), "an almanac");
   const auto list = listed(options);
-  if (has_ending(options.outputs, ".ics")) uses::require_in_calendars(eclipses_of(list));
+  if (has_ending(options.outputs, ".ics")) require_in_calendars(list);
   write_files(list, options.outputs, writers());
   if (options.csv) return fmt::print("{}", as_csv(list));
   if (options.json) return fmt::print("{}", as_json(list));
   print(list, options.brightness);
   print_names(options.outputs);
+  const auto unseen = std::ranges::count_if(
+      list.eclipses, [](const Listed& each) { return each.night && each.night->seen.empty(); });
+  if (unseen > 0 && has_ending(options.outputs, ".ics"))
+    fmt::print("The calendar leaves out {} of {} eclipses, of which nothing is seen there.\n",
+               unseen, list.eclipses.size());
 }
 
 }  // namespace
@@ -273,7 +296,7 @@ void add_almanac(CLI::App& program) {
   add_flag(
       *verb, "--at", options->at,
       "place of an observer: a city, as Honolulu, or LAT,LON [degrees north and east]; adds from "
-      "which contact to which some of the Moon is above the horizon");
+      "which contact to which the Moon is seen: it is up and stands out from its sky");
   add_flag(*verb, "--shadow-convention", options->convention,
            "how the air enlarges the shadow: danjon, danjon-oblate, chauvenet or "
            "herald-sinnott")

@@ -41,7 +41,7 @@ struct Options {
   uses::ViewRequest view;
   uses::Development development;
   uses::TextureContent content;
-  std::string time = "follow", output, job;
+  std::string time = "composite", output, job;
   bool json = false, replace = false, dry_run = false;
 };
 

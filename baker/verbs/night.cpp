@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -45,13 +46,12 @@ struct Options {
 
 /// Night of an eclipse at one place: what the command prints.
 struct NightReport {
-  uses::Circumstances circumstances;
   uses::NightLights lights;
   almanac::City city;  ///< the place, or the nearest one
   bool own_clocks;     ///< the place is that city
   std::string zone;    ///< time zone of the local times
-  /// Time in which the Moon trails by two pixels; none where no focal length is given.
-  std::optional<double> trailing_s = {};
+
+  const uses::Circumstances& circumstances() const { return lights.night; }
 };
 
 constexpr const char* winds[] = {"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
@@ -64,7 +64,7 @@ std::string wind(algebra::Angle azimuth) {
 
 std::string clock_of(const NightReport& night, const almanac::Instant& when) {
   const auto local = uses::local_time(when, night.zone);
-  return almanac::date_in(night.circumstances.eclipse.calendar, local.date) + " " + local.time +
+  return almanac::date_in(night.circumstances().eclipse.calendar, local.date) + " " + local.time +
          " " + local.abbreviation;
 }
 
@@ -73,60 +73,118 @@ const uses::NightLight* light_of(const NightReport& night, const std::string& na
   return found == night.lights.moments.end() ? nullptr : &*found;
 }
 
-/// Exposure time as cameras mark it.
-std::string exposure_text(const std::optional<double>& seconds, bool too_dark) {
-  if (!seconds) return too_dark ? "- (too dark)" : "-";
-  const double time = uses::camera_time_s(*seconds);
-  if (time < 0.29) return fmt::format("1/{:.0f} s", 1 / time);
-  return time > 30 ? duration(time) : fmt::format("{:g} s", time);
+std::string camera_text(double seconds) {
+  const double time = uses::camera_time_s(seconds);
+  if (time < 0.29) return fmt::format("1/{:.0f}", 1 / time);
+  return time > 30 ? duration(time) : fmt::format("{:g}", time);
+}
+
+/// Exposure time as cameras mark it, and that of a brighter and a darker Moon: "2 s (1.6 to 2.5)".
+std::string exposure_text(const std::optional<uses::PartExposure>& part) {
+  if (!part) return "-";
+  const auto time = camera_text(part->time_s), least = camera_text(part->least_s),
+             most = camera_text(part->most_s);
+  return time + (uses::camera_time_s(part->time_s) > 30 ? "" : " s") +
+         (least == most ? "" : fmt::format(" ({} to {})", least, most));
+}
+
+/// What limits the times of a phase, as for a reader.
+std::string limit_text(const uses::PhaseExposure& phase) {
+  std::vector<std::string> limits;
+  if (phase.too_dark) limits.emplace_back("too dark");
+  if (phase.by_sky) limits.emplace_back("sky");
+  double under = 0;
+  for (const auto& part : {phase.lit, phase.shadow})
+    if (part) under = std::max(under, part->stops_under);
+  if (under > 0.05) limits.push_back(fmt::format("trails, {:.1f} stops under", under));
+  return fmt::format("{}", fmt::join(limits, "; "));
 }
 
 void print_moments(const NightReport& night) {
-  fmt::print("{:<10}{:<10}{:<26}{:>9}{:>10}{:>6}{:>8}{:>12}{:>7}\n", "", "UTC", "local time",
-             "altitude", "azimuth", "", "V", "cd/m²", "stars");
-  for (const auto& moment : night.circumstances.moments) {
-    fmt::print("{:<10}{:<10}{:<26}{:>8.1f}°{:>9.1f}° {:<5}", moment.name,
+  fmt::print("{:<12}{:<10}{:<26}{:>9}{:>10}{:>6}{:>9}{:>7}{:>8}{:>11}{:>7}\n", "", "UTC",
+             "local time", "altitude", "azimuth", "", "Sun", "limb", "V", "cd/m²", "stars");
+  for (const auto& moment : night.circumstances().moments) {
+    fmt::print("{:<12}{:<10}{:<26}{:>8.1f}°{:>9.1f}° {:<5}{:>8.1f}°", moment.name,
                almanac::time_of_day_text(moment.when), clock_of(night, moment.when),
                algebra::in_degrees(moment.moon.altitude), algebra::in_degrees(moment.moon.azimuth),
-               wind(moment.moon.azimuth));
+               wind(moment.moon.azimuth), algebra::in_degrees(moment.sun_altitude));
     const auto* light = light_of(night, moment.name);
-    if (light != nullptr && moment.up)
-      fmt::print("{:>8.2f}{:>11}{:>7}", light->V_magnitude,
-                 three_digits(light->mean_luminance_cd_m2),
+    const bool seen = is_seen(night.circumstances(), moment.when);
+    if (light != nullptr && !seen) fmt::print("   not seen");
+    if (light != nullptr && seen)
+      fmt::print("{:>7}{:>8.2f}{:>10}{:>7}",
+                 moment.position_angle
+                     ? fmt::format("{:.0f}°", algebra::in_degrees(*moment.position_angle))
+                     : "",
+                 light->V_magnitude, three_digits(light->mean_luminance_cd_m2),
                  light->faintest_star ? fmt::format("{:.1f}", *light->faintest_star) : "-");
-    else if (light != nullptr)
-      fmt::print("   not seen");
     fmt::print("\n");
   }
 }
 
+/// Phases of an eclipse and how long they last [s], then how long it is seen.
+std::vector<std::pair<const char*, double>> durations(const uses::Circumstances& night) {
+  const auto& c = night.eclipse.contacts;
+  std::vector<std::pair<const char*, double>> all;
+  const auto add = [&](const char* name, const auto& from, const auto& to) {
+    if (from && to) all.emplace_back(name, almanac::seconds_between(*from, *to));
+  };
+  add("penumbral", c.P1, c.P4);
+  add("partial", c.U1, c.U4);
+  add("total", c.U2, c.U3);
+  double seen = 0;
+  for (const auto& [first, last] : night.seen) seen += almanac::seconds_between(first, last);
+  if (seen > 0) all.emplace_back("seen", seen);
+  return all;
+}
+
+void print_durations(const NightReport& night) {
+  std::vector<std::string> texts;
+  for (const auto& [name, seconds] : durations(night.circumstances())) {
+    const auto minutes = static_cast<int>(std::lround(seconds / 60));
+    texts.push_back(fmt::format("{} {} h {:02} min", name, minutes / 60, minutes % 60));
+  }
+  fmt::print("\nFor how long: {}.\n", fmt::join(texts, ", "));
+}
+
 void print_exposures(const NightReport& night) {
-  fmt::print("\nExposure times at f/{:.3g}, ISO {:g}:\n{:<34}{:>12}{:>22}\n", night.lights.f_number,
-             night.lights.iso, "", "lit part", "part in the umbra");
-  for (const auto& exposure : night.lights.exposures)
-    fmt::print("{:<34}{:>12}{:>22}\n", exposure.phase,
-               exposure_text(exposure.lit_s, exposure.too_dark),
-               exposure_text(exposure.shadow_s, exposure.too_dark));
-  if (std::ranges::any_of(night.lights.exposures, &uses::PhaseExposure::too_dark))
-    fmt::print("Too dark: the exposure would be longer than the whole eclipse.\n");
-  if (night.trailing_s)
+  fmt::print("\nExposure times at f/{:.3g}, ISO {:g}:\n{:<34}{:<10}{:<22}{:<24}{}\n",
+             night.lights.f_number, night.lights.iso, "", "UTC", "lit part", "part in the umbra",
+             "limit");
+  bool dark = false, by_sky = false;
+  for (const auto& phase : night.lights.exposures) {
+    auto line = fmt::format("{:<34}{:<10}", phase.phase, almanac::time_of_day_text(phase.when));
+    line += phase.seen ? fmt::format("{:<22}{:<24}{}", exposure_text(phase.lit),
+                                     exposure_text(phase.shadow), limit_text(phase))
+                       : fmt::format("not seen: the sky is {} times as bright",
+                                     three_digits(phase.sky_over_moon));
+    line.erase(line.find_last_not_of(' ') + 1);
+    fmt::print("{}\n", line);
+    dark |= phase.too_dark;
+    by_sky |= phase.by_sky;
+  }
+  if (dark) fmt::print("Too dark: the exposure would be longer than the whole eclipse.\n");
+  if (by_sky) fmt::print("Sky: its light makes the exposure shorter.\n");
+  if (night.lights.trailing_s)
     fmt::print("\nWithout a mount that follows it, the Moon trails by two pixels in {}.\n",
-               exposure_in_words(*night.trailing_s));
+               exposure_in_words(*night.lights.trailing_s));
 }
 
 std::string place_name(const NightReport& night) {
-  return night.own_clocks ? night.city.name : uses::place_text(night.circumstances.place);
+  return night.own_clocks ? night.city.name : uses::place_text(night.circumstances().place);
 }
 
 void print(const NightReport& night) {
-  fmt::print("{}\n{}: {}\n", title(night.circumstances.eclipse), place_name(night),
-             what_is_seen(night.circumstances));
-  if (!night.own_clocks && night.zone == uses::time_zone_of(night.circumstances.place))
-    fmt::print("{} --zone shows others.\n", uses::whose_clocks(night.circumstances.place));
+  fmt::print("{}\n{}: {}\n", title(night.circumstances().eclipse), place_name(night),
+             what_is_seen(night.circumstances()));
+  if (!night.own_clocks && night.zone == uses::time_zone_of(night.circumstances().place))
+    fmt::print("{} --zone shows others.\n", uses::whose_clocks(night.circumstances().place));
   fmt::print("\n");
   print_moments(night);
+  print_durations(night);
+  if (night.circumstances().seen.empty()) return;
   if (night.lights.V_error)
-    fmt::print("\nIn totality V is known to {:.2f} mag (68 %).\n", *night.lights.V_error);
+    fmt::print("In totality V is known to {:.2f} mag (68 %).\n", *night.lights.V_error);
   print_exposures(night);
 }
 
@@ -134,20 +192,32 @@ nlohmann::ordered_json or_null(const std::optional<double>& number) {
   return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json();
 }
 
+/// Adds a part's time, its range by the error of the forecast, and what is missing where it would trail.
+void add_part(nlohmann::ordered_json& row, const std::string& name,
+              const std::optional<uses::PartExposure>& part) {
+  row[name + "_s"] = part ? nlohmann::ordered_json(part->time_s) : nlohmann::ordered_json();
+  if (!part) return;
+  row[name + "_range_s"] = {part->least_s, part->most_s};
+  if (part->stops_under > 0) row[name + "_stops_under"] = part->stops_under;
+}
+
 nlohmann::ordered_json as_json(const NightReport& night) {
-  const auto& place = night.circumstances.place;
-  const auto calendar = night.circumstances.eclipse.calendar;
-  nlohmann::ordered_json all{{"eclipse", title(night.circumstances.eclipse)},
+  const auto& place = night.circumstances().place;
+  const auto calendar = night.circumstances().eclipse.calendar;
+  nlohmann::ordered_json all{{"eclipse", title(night.circumstances().eclipse)},
                              {"at", uses::place_text(place)},
                              {"time_zone", night.zone},
-                             {"seen", what_is_seen(night.circumstances)},
+                             {"seen", what_is_seen(night.circumstances())},
                              {"f_number", night.lights.f_number},
                              {"iso", night.lights.iso},
                              {"V_error", or_null(night.lights.V_error)},
+                             {"durations_s", nlohmann::ordered_json::object()},
                              {"moments", nlohmann::ordered_json::array()},
                              {"exposures", nlohmann::ordered_json::array()}};
   say_calendar(all, calendar);
-  for (const auto& moment : night.circumstances.moments) {
+  for (const auto& [name, seconds] : durations(night.circumstances()))
+    all["durations_s"][name] = seconds;
+  for (const auto& moment : night.circumstances().moments) {
     const auto local = uses::local_time(moment.when, night.zone);
     nlohmann::ordered_json row{{"name", moment.name},
                                {"utc", almanac::utc_text(moment.when, calendar)},
@@ -155,22 +225,32 @@ nlohmann::ordered_json as_json(const NightReport& night) {
                                {"zone", local.abbreviation},
                                {"altitude_deg", algebra::in_degrees(moment.moon.altitude)},
                                {"azimuth_deg", algebra::in_degrees(moment.moon.azimuth)},
-                               {"up", moment.up}};
+                               {"up", moment.up},
+                               {"seen", is_seen(night.circumstances(), moment.when)},
+                               {"sun_altitude_deg", algebra::in_degrees(moment.sun_altitude)},
+                               {"twilight", uses::twilight_name(moment.sun_altitude)}};
+    if (moment.position_angle)
+      row["position_angle_deg"] = algebra::in_degrees(*moment.position_angle);
     if (const auto* light = light_of(night, moment.name)) {
       row["V_magnitude"] = light->V_magnitude;
       row["mean_luminance_cd_m2"] = light->mean_luminance_cd_m2;
       row["faintest_star"] = or_null(light->faintest_star);
+      row["sky_cd_m2"] = or_null(light->sky_cd_m2);
     }
     all["moments"].push_back(row);
   }
-  for (const auto& exposure : night.lights.exposures) {
-    all["exposures"].push_back({{"phase", exposure.phase},
-                                {"utc", almanac::utc_text(exposure.when, calendar)},
-                                {"lit_s", or_null(exposure.lit_s)},
-                                {"umbra_s", or_null(exposure.shadow_s)}});
-    if (exposure.too_dark) all["exposures"].back()["too_dark"] = true;
+  for (const auto& phase : night.lights.exposures) {
+    nlohmann::ordered_json row{{"phase", phase.phase},
+                               {"utc", almanac::utc_text(phase.when, calendar)},
+                               {"seen", phase.seen},
+                               {"sky_over_moon", phase.sky_over_moon},
+                               {"by_sky", phase.by_sky}};
+    add_part(row, "lit", phase.lit);
+    add_part(row, "umbra", phase.shadow);
+    if (phase.too_dark) row["too_dark"] = true;
+    all["exposures"].push_back(row);
   }
-  if (night.trailing_s) all["trailing_s"] = *night.trailing_s;
+  if (night.lights.trailing_s) all["trailing_s"] = *night.lights.trailing_s;
   return all;
 }
 
@@ -178,20 +258,23 @@ std::string as_csv(const NightReport& night) {
   const auto document = as_json(night);
   std::string text =
       "moment,utc,local,zone,altitude_deg,azimuth_deg,up,V_magnitude,mean_luminance_cd_m2,"
-      "faintest_star\n";
+      "faintest_star,seen,sun_altitude_deg,twilight,position_angle_deg\n";
   for (const auto& row : document["moments"]) {
     text += fmt::format("{},{},{},{},{:.3f},{:.3f},{}", row["name"].get<std::string>(),
                         row["utc"].get<std::string>(), row["local"].get<std::string>(),
                         row["zone"].get<std::string>(), row["altitude_deg"].get<double>(),
                         row["azimuth_deg"].get<double>(), row["up"].get<bool>() ? "yes" : "no");
-    if (!row.contains("V_magnitude")) {
-      text += ",,,\n";
-      continue;
-    }
-    const auto& star = row["faintest_star"];
-    text += fmt::format(",{:.3f},{:.6g},{}\n", row["V_magnitude"].get<double>(),
-                        row["mean_luminance_cd_m2"].get<double>(),
-                        star.is_null() ? "" : fmt::format("{:.2f}", star.get<double>()));
+    const auto number = [&](const char* key, const char* form) {
+      const auto found = row.find(key);
+      return found == row.end() || found->is_null()
+                 ? std::string()
+                 : fmt::format(fmt::runtime(form), found->template get<double>());
+    };
+    text +=
+        fmt::format(",{},{},{},{},{:.3f},{},{}\n", number("V_magnitude", "{:.3f}"),
+                    number("mean_luminance_cd_m2", "{:.6g}"), number("faintest_star", "{:.2f}"),
+                    row["seen"].get<bool>() ? "yes" : "no", row["sun_altitude_deg"].get<double>(),
+                    row["twilight"].get<std::string>(), number("position_angle_deg", "{:.2f}"));
   }
   return text;
 }
@@ -200,12 +283,12 @@ const Writers<NightReport>& writers() {
   using Night = NightReport;
   using File = std::filesystem::path;
   constexpr auto map = [](const Night& night, const File& file) {
-    uses::write_visibility_map(file, night.circumstances.eclipse, night.circumstances.place);
+    uses::write_visibility_map(file, night.circumstances().eclipse, night.circumstances().place);
   };
   static const Writers<Night> all{
       {{".ics", "calendar"},
        [](const Night& night, const File& file) {
-         const auto text = as_calendar(night.circumstances, place_name(night), now());
+         const auto text = as_calendar(night.circumstances(), place_name(night), now());
          files::write_whole(file, text);
        }},
       {{".csv", "moments"},
@@ -220,34 +303,27 @@ const Writers<NightReport>& writers() {
   return all;
 }
 
-/// Time in which the Moon trails by two pixels of the camera, without one of 4 µm.
-double trailing_s(const uses::Circumstances& night, const Options& options) {
-  constexpr double usual_pixel_um = 4;
-  const auto camera = uses::camera_of(options.develop.camera);
-  return uses::trailing_time_s(night, *options.view.focal_length_mm,
-                               2 * (camera ? camera->sensor.pixel_um : usual_pixel_um));
-}
-
 NightReport night_of(const Options& options) {
   auto film = options.film;
   film.zone = options.zone;
   const auto eclipse = eclipse_of(film, options.view.observer);
-  if (has_ending(options.outputs, ".ics")) uses::require_in_calendars({eclipse});
   const auto named = almanac::city_named(options.place);
-  NightReport night{uses::circumstances(eclipse, *options.view.observer),
-                    {},
+  NightReport night{{uses::circumstances(eclipse, *options.view.observer)},
                     named ? *named : almanac::nearest_city(*options.view.observer),
                     named.has_value(),
                     options.zone};
+  if (has_ending(options.outputs, ".ics"))
+    uses::require_in_calendars({night.circumstances()}, place_name(night));
   if (night.zone.empty() || night.zone == "local")
     night.zone = named ? named->time_zone : uses::time_zone_of(*options.view.observer);
   uses::local_time(eclipse.greatest, night.zone);  // refuses what is no zone
-  if (options.view.focal_length_mm) night.trailing_s = trailing_s(night.circumstances, options);
   ProgressBar bar("light");
   auto development = options.develop;
   development.focal_length_mm = seen_through(development.camera, options.view).focal_length_mm;
-  night.lights = night_lights(night.circumstances, moon_request(options.moon), options.view,
+  night.lights = night_lights(night.circumstances(), moon_request(options.moon), options.view,
                               development, options.danjon, bar.progress());
+  if (has_ending(options.outputs, ".ics"))
+    uses::require_in_calendars({night.circumstances()}, place_name(night));
   return night;
 }
 
@@ -256,7 +332,7 @@ void run(const Options& options) {
   require_writers(options.outputs, writers(), "a night");
   const auto night = night_of(options);
   say_unless_danjon_is_reached(options.moon.light.request.air,
-                               almanac::sky_at(night.circumstances.eclipse.greatest));
+                               almanac::sky_at(night.circumstances().eclipse.greatest));
   write_files(night, options.outputs, writers());
   if (options.json) {
     auto document = as_json(night);
@@ -298,8 +374,8 @@ void add_night(CLI::App& program) {
                            "exposures of the middle of totality for Danjon's scale 0 to 4 too"));
   add_flag(
       *verb, "--focal-length", options->view.focal_length_mm,
-      "focal length of the telescope or lens [mm], 1 to 1e6: adds in what time the Moon trails "
-      "by two pixels, the camera's or 4 um wide, where no mount follows it")
+      "focal length of the telescope or lens [mm], 1 to 1e6: no exposure lets the Moon trail by more "
+      "than two pixels, the camera's or 4 um wide, as where no mount follows it")
       .within(1, 1e6);
   add_run_switch(*verb, "--csv", options->csv, "prints the moments as CSV").not_beside({{"json"}});
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");

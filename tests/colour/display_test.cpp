@@ -14,6 +14,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <regex>
 #include <sstream>
@@ -60,6 +61,8 @@ std::vector<std::string> standard_dynamic_range() {
   return names;
 }
 
+const DisplayTransform untoned{.view = "Un-tone-mapped"};
+
 std::string text_of(const std::filesystem::path& path) {
   std::ostringstream text;
   text << std::ifstream(path).rdbuf();
@@ -77,13 +80,13 @@ std::string error_of(const std::function<void()>& act) {
 
 TEST(Display, CodesSrgbByTheFormulaOfTheStandard) {
   for (const float grey : {0.0f, 0.001f, 0.0031f, 0.0032f, 0.018f, 0.18f, 0.5f, 1.0f})
-    EXPECT_WITHIN(grey_shown(grey, {}), srgb_code(grey), 2e-5,
+    EXPECT_WITHIN(grey_shown(grey, untoned), srgb_code(grey), 2e-5,
                   "the standard's two pieces do not meet exactly; OpenColorIO's do");
 }
 
 TEST(Display, LeavesColoursWithoutToneMappingAsTheyAre) {
   const auto shown =
-      developed(image_of({{0.5f, 0.05f, -0.01f}, {3.0f, 0.2f, 0.7f}}), linear_rec709);
+      developed(image_of({{0.5f, 0.05f, -0.01f}, {3.0f, 0.2f, 0.7f}}), linear_rec709, untoned);
   const double linear[2][3] = {{0.5, 0.05, -0.01}, {3.0, 0.2, 0.7}};
   for (std::size_t p = 0; p < 2; ++p)
     for (std::size_t i = 0; i < 3; ++i)
@@ -152,8 +155,8 @@ TEST(Display, ShowsAPictureAsItShowsItsPixels) {
 }
 
 TEST(Display, HasTheViewsItPromises) {
-  EXPECT_EQ(views(), (std::vector<std::string>{"Un-tone-mapped", "ACES 1.0 SDR Video", "Filmic",
-                                               "Log", "Raw"}));
+  EXPECT_EQ(views(), (std::vector<std::string>{"Hue-preserving", "Un-tone-mapped",
+                                               "ACES 1.0 SDR Video", "Filmic", "Log", "Raw"}));
   EXPECT_EQ(displays(), (std::vector<std::string>{"sRGB", "Rec.1886 Rec.709", "P3-D65",
                                                   "Display P3", "Rec.2100-PQ"}));
 }
@@ -186,12 +189,71 @@ TEST(Display, CodesDisplayP3ByItsDefinition) {
   for (const glm::dvec3 p3 : {glm::dvec3(1, 1, 1), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0),
                               glm::dvec3(0, 0, 1), glm::dvec3(0.8, 0.2, 0.002)}) {
     const glm::vec3 xyz(xyz_from_p3 * p3);
-    const auto shown =
-        developed(image_of({{xyz.x, xyz.y, xyz.z}}), ciexyz_d65, {.display = "Display P3"})(0, 0);
+    const auto shown = developed(image_of({{xyz.x, xyz.y, xyz.z}}), ciexyz_d65,
+                                 {.view = "Un-tone-mapped", .display = "Display P3"})(0, 0);
     for (int i = 0; i < 3; ++i)
       EXPECT_WITHIN(shown[static_cast<std::size_t>(i)], srgb_code(p3[i]), 5e-5,
                     "the configuration's matrices are floats, and a code near 0 is 13 times light");
   }
+}
+
+/// CIE 1976 hue angle about D65 of linear Rec.709 [degrees], by the matrix of IEC 61966-2-1.
+double hue_deg(double r, double g, double b) {
+  const double X = 0.4124 * r + 0.3576 * g + 0.1805 * b, Y = 0.2126 * r + 0.7152 * g + 0.0722 * b,
+               Z = 0.0193 * r + 0.1192 * g + 0.9505 * b, sum = X + 15 * Y + 3 * Z;
+  return std::atan2(9 * Y / sum - 0.46834, 4 * X / sum - 0.19784) * 180 / std::numbers::pi;
+}
+
+double srgb_light(double code) {
+  return code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
+}
+
+TEST(HuePreserving, LeavesColoursUpToFourFifthsAsTheyAre) {
+  const Rgb colours[] = {{0.8f, 0.1f, 0}, {0.02f, 0.3f, 0.79f}, {0.8f, 0.8f, 0.8f}, {0, 0, 0}};
+  for (const auto& colour : colours) {
+    const auto shown = developed(image_of({colour}), linear_rec709)(0, 0);
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_WITHIN(shown[i], srgb_code(static_cast<double>(colour[i])), 5e-5,
+                    "a code near 0 is 13 times light, and the matrices are floats");
+  }
+}
+
+TEST(HuePreserving, KeepsTheAngleOfHueAtAnyExposure) {
+  // an umbra, a limb near it, a blue hour, a pink one
+  for (const auto& [r, g, b] :
+       {Rgb{1, 0.12f, 0.02f}, Rgb{1, 0.59f, 0.36f}, Rgb{0.3f, 0.55f, 1}, Rgb{1, 0.6f, 0.7f}})
+    for (double light = 0.05; light < 20; light *= 1.5) {
+      const auto k = static_cast<float>(light);
+      const auto shown = developed(image_of({{k * r, k * g, k * b}}), linear_rec709)(0, 0);
+      EXPECT_LE(std::ranges::max(shown), 1 + 1e-5F) << light;
+      if (std::ranges::max(shown) - std::ranges::min(shown) < 0.05F) break;  // it is white
+      EXPECT_WITHIN(hue_deg(srgb_light(shown[0]), srgb_light(shown[1]), srgb_light(shown[2])),
+                    hue_deg(r, g, b), 0.2, "IEC's matrix has four digits")
+          << light;
+    }
+}
+
+TEST(HuePreserving, ShowsMoreLightBrighterUntilItIsWhite) {
+  float before = 0;
+  for (float light = 0.01f; light < 6.7f; light *= 1.02f) {
+    const float code = grey_shown(light, {});
+    EXPECT_GT(code, before) << light;
+    before = code;
+  }
+  const auto burnt = developed(image_of({{1000, 600, 300}}), linear_rec709)(0, 0);
+  for (const float code : burnt) EXPECT_WITHIN(code, 1, 1e-5, "the display's matrices are floats");
+}
+
+TEST(HuePreserving, BringsWhatIsOutsideTheGamutToItsEdge) {
+  const auto shown = developed(image_of({{0.5f, 0.1f, -0.02f}}), linear_rec709)(0, 0);
+  EXPECT_WITHIN(shown[2], 0, 1e-5, "the display's matrices are floats");
+  EXPECT_WITHIN(srgb_light(shown[1]) / srgb_light(shown[0]), 0.12 / 0.52, 1e-3,
+                "white is added until no channel is negative: 0.02 to each");
+}
+
+TEST(HuePreserving, OfAHighDynamicRangeHasNoShoulder) {
+  const DisplayTransform pq{.display = "Rec.2100-PQ"};
+  EXPECT_EQ(grey_shown(5, pq), grey_shown(5, {.view = "Un-tone-mapped", .display = pq.display}));
 }
 
 constexpr double filmic_brightest = 2, filmic_darkest = 0x1p-16;
@@ -241,22 +303,21 @@ TEST(Filmic, KeepsEveryColourWithinTheDisplay) {
 TEST(Filmic, KeepsTheHueOfTheUmbraAndMostOfItsRed) {
   // Hue, as in HSV: where the middle channel stands between the least and the greatest.
   // Saturation, 1 - least / greatest, is 0.95 of what it was.
-  const auto linear = [](double code) {
-    return code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
-  };
   for (int stops = -12; stops <= 0; stops += 3) {
     const float light = std::ldexp(1.0f, stops);
     const Rgb umbra{light, 0.12f * light, 0.02f * light};
     const auto shown = developed(image_of({umbra}), linear_rec709, {.view = "Filmic"})(0, 0);
-    const double r = linear(shown[0]), g = linear(shown[1]), b = linear(shown[2]);
+    const double r = srgb_light(shown[0]), g = srgb_light(shown[1]), b = srgb_light(shown[2]);
     EXPECT_WITHIN((g - b) / (r - b), 0.10 / 0.98, 2e-3, "five digits of codes as low as 0.02");
     EXPECT_WITHIN(1 - b / r, 0.95 * 0.98, 2e-3, "five digits of codes as low as 0.02");
   }
 }
 
 TEST(Display, NamesTheViewsWhenItHasNoSuchView) {
-  EXPECT_EQ(error_of([] { grey_shown(1, {.view = "Sepia"}); }),
-            "view = Sepia, allowed Un-tone-mapped, ACES 1.0 SDR Video, Filmic, Log, Raw");
+  EXPECT_EQ(
+      error_of([] { grey_shown(1, {.view = "Sepia"}); }),
+      "view = Sepia, allowed Hue-preserving, Un-tone-mapped, ACES 1.0 SDR Video, Filmic, Log, "
+      "Raw");
   EXPECT_EQ(error_of([] { grey_shown(1, {.display = "CRT"}); }),
             "display = CRT, allowed sRGB, Rec.1886 Rec.709, P3-D65, Display P3, Rec.2100-PQ");
   EXPECT_EQ(error_of([] { views("CRT"); }), error_of([] { grey_shown(1, {.display = "CRT"}); }));
@@ -287,7 +348,7 @@ TEST(Display, TakesAConfigurationOfTheUsers) {
        at = text.find("ACES 1.0 SDR Video"))
     text.replace(at, 18, "My own view");
   std::ofstream(path) << text;
-  EXPECT_EQ(views("sRGB", path)[1], "My own view");
+  EXPECT_EQ(views("sRGB", path)[2], "My own view");
   EXPECT_EQ(grey_shown(0.3f, {.view = "My own view", .config = path}),
             grey_shown(0.3f, {.view = "ACES 1.0 SDR Video"}));
   std::filesystem::remove(path);

@@ -27,6 +27,11 @@ double luminance_in_the_middle(const texture::Image& image) {
   return sum;
 }
 
+/// Sunlight on grey ground is brightest in red.
+double red_in_the_middle(const texture::Image& image) {
+  return image(image.height / 2, image.width / 2, 0);
+}
+
 /// IEC 61966-2-1, backwards.
 float linear(float coded) {
   return coded <= 0.04045F ? coded / 12.92F : std::pow((coded + 0.055F) / 1.055F, 2.4F);
@@ -150,7 +155,7 @@ TEST_F(Exposure, WithoutATimeTheBrightestComesToFourFifths) {
   picture("Raw");
   expect_done(
       coppermoon({"develop", "frame.exr", "-o", "auto.png", "--view", "Raw", "--bits", "16"}));
-  EXPECT_WITHIN(luminance_in_the_middle(texture::read_image(here("auto.png"))), 0.8, 0.01,
+  EXPECT_WITHIN(red_in_the_middle(texture::read_image(here("auto.png"))), 0.8, 0.01,
                 "the middle of a full Moon is among its brightest, but for the half floats");
 }
 

@@ -76,7 +76,7 @@ TEST_F(FilmFolder, OfAnotherExposureIsRefusedOrDevelopedAgain) {
   expect_done(coppermoon(film({"--frames", "2"})));
   const auto another = film({"--frames", "2", "--iso", "100", "--time", "2"});
   expect_refused(another,
-                 "a film made with iso = 800, asked 100; time = 'follow', asked '2' "
+                 "a film made with iso = 800, asked 100; time = 'composite', asked '2' "
                  "(frame.0001.png and 3 more)");
   const Surroundings without_povray{.path = "/nowhere"};
   const auto replaced = coppermoon(another + Words{"--replace"}, without_povray);

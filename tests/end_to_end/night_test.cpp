@@ -28,8 +28,10 @@ class Night : public ProgramTest {
       EXPECT_EQ(row.at("moment"), moment["name"].get<std::string>());
       for (const char* text : {"utc", "local", "zone"})
         EXPECT_EQ(row.at(text), moment[text].get<std::string>());
-      EXPECT_EQ(row.at("up") == "yes", moment["up"].get<bool>());
-      for (const char* angle : {"altitude_deg", "azimuth_deg"})
+      for (const char* what : {"up", "seen"})
+        EXPECT_EQ(row.at(what) == "yes", moment[what].get<bool>());
+      EXPECT_EQ(row.at("twilight"), moment["twilight"].get<std::string>());
+      for (const char* angle : {"altitude_deg", "azimuth_deg", "sun_altitude_deg"})
         EXPECT_WITHIN(std::stod(row.at(angle)), moment[angle].get<double>(), 6e-4,
                       "three decimals");
       for (const char* light : {"V_magnitude", "mean_luminance_cd_m2", "faintest_star"}) {
@@ -71,8 +73,8 @@ TEST_F(Night, IsToldInATableADocumentAndFiles) {
        "  print(e['UID'], e['DTSTART'].dt.strftime('%d %H:%M'), end)"});
   expect_done(events);
   EXPECT_EQ(events.out,
-            "2018-07-27-eclipse+51.5000-0.1000@coppermoon 27 17:14 23:28\n"
-            "2018-07-27-greatest+51.5000-0.1000@coppermoon 27 20:21 -\n"
+            "2018-07-27-eclipse+51.5000-0.1000@coppermoon 27 19:49 23:28\n"
+            "2018-07-27-first+51.5000-0.1000@coppermoon 27 20:36 -\n"
             "2018-07-27-U3+51.5000-0.1000@coppermoon 27 21:13 -\n"
             "2018-07-27-U4+51.5000-0.1000@coppermoon 27 22:19 -\n"
             "2018-07-27-P4+51.5000-0.1000@coppermoon 27 23:28 -\n");
@@ -83,12 +85,14 @@ TEST_F(Night, IsToldInATableADocumentAndFiles) {
   EXPECT_EQ(document["time_zone"], "Europe/London") << "of the nearest city";
   EXPECT_EQ(document["f_number"], 8);
   EXPECT_EQ(document["moments"][0]["zone"], "BST");
-  ASSERT_EQ(document["moments"].size(), 9U) << "seven contacts, Moonrise and Moonset";
+  ASSERT_EQ(document["moments"].size(), 10U) << "seven contacts, moonrise, moonset, first seen";
   for (const auto& moment : document["moments"])
     EXPECT_EQ(moment["up"].get<bool>(), moment["utc"] >= "2018-07-27T19:49") << moment;
   expect_rows_of(document["moments"], csv_rows(csv));
   EXPECT_TRUE(document["moments"][0]["faintest_star"].is_null()) << "P1: before sunset";
-  EXPECT_GT(document["moments"][7]["faintest_star"], 2);
+  EXPECT_GT(document["moments"][8]["faintest_star"], 2);
+  EXPECT_EQ(document["moments"][5]["name"], "first seen");
+  EXPECT_NEAR(document["durations_s"]["total"].get<double>(), 6180, 60) << "Espenak: 103 min";
 }
 
 TEST_F(Night, BeforeTheFirstYearIsATableButNoCalendar) {
@@ -104,6 +108,28 @@ TEST_F(Night, BeforeTheFirstYearIsATableButNoCalendar) {
   for (const auto& row : csv_rows(text_of(here("b.csv"))))
     for (const char* time : {"utc", "local"})
       EXPECT_TRUE(row.at(time).starts_with("-0567-07-04T")) << row.at(time);
+}
+
+TEST_F(Night, OfAPlaceThatSeesNothingIsShortAndNoEvent) {
+  const auto table = coppermoon(night({"--at", "Chicago"}));
+  expect_done(table);
+  EXPECT_NE(table.out.find("Nothing of the eclipse is seen"), std::string::npos) << table.out;
+  EXPECT_EQ(table.out.find("Exposure times"), std::string::npos);
+  EXPECT_EQ(coppermoon(night({"--at", "Chicago", "-o", "a.ics"})).err,
+            "coppermoon: Chicago sees nothing of the eclipse: no event for a calendar\n");
+  EXPECT_EQ(listing(), std::set<std::string>{});
+}
+
+TEST_F(Night, HasTheAltitudeOfSky) {
+  const auto document = coppermoon(night({"--at", "London", "--json"}));
+  expect_done(document);
+  const auto u4 = nlohmann::json::parse(document.out)["moments"][7];
+  ASSERT_EQ(u4["name"], "U4");
+  const auto sky = coppermoon({"sky", u4["utc"], "--at", "London", "--json"});
+  expect_done(sky);
+  EXPECT_NEAR(nlohmann::json::parse(sky.out)["altitude_deg"].get<double>(),
+              u4["altitude_deg"].get<double>(), 0.003)
+      << "both apparent; half a second of the sky's turn, as times are printed to one";
 }
 
 TEST_F(Night, OfNoPlaceOrOfAnotherFileIsRefused) {
@@ -126,9 +152,10 @@ TEST_F(Night, OfTheAlmanacSaysWhichContactsAreSeen) {
     expect_done(list);
     return nlohmann::json::parse(list.out)[0]["seen"].get<std::string>();
   };
-  // the Moon stood over Madagascar; it rose over London 19 min into totality; America saw nothing
+  // the Moon stood over Madagascar; America saw nothing
   EXPECT_EQ(seen("Nairobi"), "all");
-  EXPECT_EQ(seen("London"), "greatest to P4");
+  EXPECT_EQ(seen("London"), "U3 to P4")
+      << "it rose 19 min into totality, and stood out after greatest";
   EXPECT_EQ(seen("Chicago"), "none");
   EXPECT_EQ(coppermoon({"almanac"}).status, 0) << "from today, for ten years";
   const auto columbus = coppermoon(
@@ -147,7 +174,9 @@ TEST_F(AlmanacFiles, HoldWhatIsPrinted) {
   const auto table = coppermoon(almanac + Words{"-o", "a.csv", "-o", "a.json", "-o", "a.ics"});
   expect_done(table);
   EXPECT_NE(table.out.find("2018-07-27T20:21:45Z total"), std::string::npos) << table.out;
-  EXPECT_TRUE(table.out.ends_with("\n\na.csv\na.json\na.ics\n"));
+  EXPECT_TRUE(table.out.ends_with(
+      "\n\na.csv\na.json\na.ics\nThe calendar leaves out 1 of 2 eclipses, of which nothing is seen "
+      "there.\n"));
   EXPECT_EQ(coppermoon(almanac + Words{"--csv"}).out, text_of(here("a.csv")));
   EXPECT_EQ(coppermoon({"almanac", "--year", "2018", "--at", "London", "--json"}).out,
             text_of(here("a.json")));

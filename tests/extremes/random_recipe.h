@@ -130,7 +130,7 @@ inline const std::map<std::string, Value>& values_by_hand() {
              "canon-eos-600d", "sony-ilce-7sm2", "fujifilm-x-t3", "eye", "lost.csv"})},
       {"black-level", number(0, 2000)},
       {"noise-seed", integer(0, 1e9)},
-      {"view", word({"Un-tone-mapped", "Filmic", "Raw", "Sepia"})},
+      {"view", word({"Hue-preserving", "Un-tone-mapped", "Filmic", "Raw", "Sepia"})},
       {"display", word({"sRGB", "Rec.1886 Rec.709 - Display", "Paper"})},
       {"wavelengths", word({"550", "450,550,650", "380,780", "380,379"})},
       {"axis-distances", word({"0", "0,2000,4000", "4700", "4000,0"})},

@@ -308,7 +308,7 @@ Exploration exploration_of(const eclipse::Eclipse& eclipse, const ExploreRequest
   add_observer_air(arrays, wavelengths);
   const auto views = views_shown();
   for (const auto& view : views)
-    if (view != "Un-tone-mapped") add_view(arrays, view);
+    if (view != "Un-tone-mapped" && view != "Hue-preserving") add_view(arrays, view);
   add_names(arrays);
   made.facts = {{"title", made.title},
                 {"version", version()},

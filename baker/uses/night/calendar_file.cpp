@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "algebra/error.h"
@@ -61,16 +62,18 @@ Shared shared_by(const std::optional<almanac::Observer>& place, const std::strin
           stamp(made)};
 }
 
-/// Event; without an end, of no length.
+/// Event; without an end, of no length. One of a place that has an end has an alarm.
 std::string event(const Shared& shared, const std::string& id, const almanac::Instant& from,
                   const std::optional<almanac::Instant>& to, const std::string& title,
                   const std::string& text) {
+  const auto alarm = line("BEGIN:VALARM") + line("ACTION:DISPLAY") + line("TRIGGER:-PT1H") +
+                     line("DESCRIPTION:" + escaped(title)) + line("END:VALARM");
   return line("BEGIN:VEVENT") + line(fmt::format("UID:{}{}@coppermoon", id, shared.coordinates)) +
          line("DTSTAMP:" + shared.made) + line("DTSTART:" + stamp(from)) +
          (to ? line("DTEND:" + stamp(*to)) : "") + line("SUMMARY:" + escaped(title)) +
          line("DESCRIPTION:" + escaped(text)) +
          (shared.place.empty() ? "" : line("LOCATION:" + escaped(shared.place))) +
-         line("END:VEVENT");
+         (to && !shared.place.empty() ? alarm : "") + line("END:VEVENT");
 }
 
 const char* meaning(const std::string& name) {
@@ -83,10 +86,21 @@ const char* meaning(const std::string& name) {
   return "the Moon leaves the penumbra";
 }
 
-/// Event of a whole eclipse.
-std::string event(const Shared& shared, const eclipse::Eclipse& eclipse, const std::string& text) {
-  return event(shared, almanac::date_text(eclipse.greatest) + "-eclipse", *eclipse.contacts.P1,
-               *eclipse.contacts.P4, title(eclipse), text);
+std::string name_of(const eclipse::Eclipse& eclipse) {
+  return almanac::date_text(eclipse.greatest) + "-eclipse";
+}
+
+/// Event of an eclipse as a place sees it: from moonrise, or from what is first seen, to moonset or what is last seen.
+std::string event(const Shared& shared, const Circumstances& night) {
+  const auto &first = night.seen.front().first, &last = night.seen.back().second;
+  auto from = first, to = last;
+  for (const auto& [rise, set] : night.up) {
+    const bool begins = almanac::seconds_between(*night.eclipse.contacts.P1, rise) > 0,
+               ends = almanac::seconds_between(set, *night.eclipse.contacts.P4) > 0;
+    if (begins && holds({rise, set}, first)) from = rise;
+    if (ends && holds({rise, set}, last)) to = set;
+  }
+  return event(shared, name_of(night.eclipse), from, to, title(night.eclipse), what_is_seen(night));
 }
 
 std::string beginning() {
@@ -112,31 +126,51 @@ void require_in_calendars(const std::vector<eclipse::Eclipse>& eclipses) {
                       almanac::date_text(each.greatest, each.calendar)));
 }
 
-std::string as_calendar(const std::vector<eclipse::Eclipse>& eclipses,
-                        const std::optional<almanac::Observer>& place,
-                        const std::string& place_name, const almanac::Instant& made) {
+void require_in_calendars(const std::vector<Circumstances>& nights, const std::string& place_name) {
+  std::vector<eclipse::Eclipse> eclipses;
+  for (const auto& each : nights) eclipses.push_back(each.eclipse);
   require_in_calendars(eclipses);
-  const auto shared = shared_by(place, place_name, made);
+  if (std::ranges::all_of(nights, [](const auto& each) { return each.seen.empty(); }))
+    throw algebra::Error(fmt::format("{} sees nothing of {}: no event for a calendar", place_name,
+                                     nights.size() == 1 ? "the eclipse" : "these eclipses"));
+}
+
+std::string as_calendar(const std::vector<eclipse::Eclipse>& eclipses,
+                        const almanac::Instant& made) {
+  require_in_calendars(eclipses);
+  const auto shared = shared_by({}, {}, made);
   auto text = beginning();
   for (const auto& each : eclipses)
-    text += event(shared, each,
-                  place ? what_is_seen(circumstances(each, *place)) : in_a_sentence(each));
+    text += event(shared, name_of(each), *each.contacts.P1, *each.contacts.P4, title(each),
+                  in_a_sentence(each));
+  return text + line("END:VCALENDAR");
+}
+
+std::string as_calendar(const std::vector<Circumstances>& nights, const std::string& place_name,
+                        const almanac::Instant& made) {
+  require_in_calendars(nights, place_name);
+  auto text = beginning();
+  for (const auto& each : nights)
+    if (!each.seen.empty()) text += event(shared_by(each.place, place_name, made), each);
   return text + line("END:VCALENDAR");
 }
 
 std::string as_calendar(const Circumstances& night, const std::string& place_name,
                         const almanac::Instant& made) {
-  require_in_calendars({night.eclipse});
+  require_in_calendars({night}, place_name);
   const auto day = almanac::date_text(night.eclipse.greatest);
   const auto shared = shared_by(night.place, place_name, made);
-  auto text = beginning() + event(shared, night.eclipse, what_is_seen(night));
+  auto text = beginning() + event(shared, night);
   for (const auto& moment : night.moments) {
-    if (!moment.up || moment.name.starts_with("moon")) continue;
+    if (moment.name.starts_with("moon") || !is_seen(night, moment.when)) continue;
     const auto where = fmt::format("The Moon is {:.0f} degrees high, in azimuth {:.0f}.",
                                    algebra::in_degrees(moment.moon.altitude),
                                    algebra::in_degrees(moment.moon.azimuth));
-    text += event(shared, day + "-" + moment.name, moment.when, {},
-                  fmt::format("{}: {}", moment.name, meaning(moment.name)), where);
+    text += event(shared, day + "-" + moment.name.substr(0, moment.name.find(' ')), moment.when, {},
+                  moment.name.ends_with(" seen")
+                      ? "the Moon is " + moment.name
+                      : fmt::format("{}: {}", moment.name, meaning(moment.name)),
+                  where);
   }
   return text + line("END:VCALENDAR");
 }

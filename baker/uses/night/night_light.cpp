@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -13,138 +14,167 @@
 
 #include "algebra/error.h"
 #include "eclipse/shadow_axis.h"
-#include "texture/resize.h"
-#include "uses/light/photometric_bands.h"
 #include "uses/night/star_limit.h"
 #include "uses/picture/brightness.h"
 #include "uses/picture/clear_sky.h"
-#include "uses/picture/moon_survey.h"
 
 namespace coppermoon::uses {
 namespace {
 
 using almanac::Instant;
 
-constexpr std::size_t rows = 180;  ///< of the texture that exposures are measured on
-constexpr double between_skies_s = 240;
-
-/// Share of the lit disc that may be brighter than its level of exposure, and that level over saturation.
-constexpr double brighter_share = 0.01, lit_level = 0.8;
-/// Level of the umbra's median luminance over saturation.
-constexpr double umbra_level = 0.18;
-/// Luminance of the lit disc over that at which the umbra begins.
-constexpr double umbra_contrast = 500;
-/// Share of the disc's texels that the umbra must take, to be exposed by itself.
+/// Level of the umbra's median over saturation, and the most that the sky may have.
+constexpr double umbra_level = 0.18, most_sky_level = 0.5;
+/// Brightness of the lit disc over that at which the umbra begins.
+constexpr double umbra_contrast = 200;
+/// Share of the disc that the umbra must take, to be exposed by itself.
 constexpr double least_umbra_share = 0.02;
-/// Cosine of the emission angle; texels nearer to the limb are seen edge on.
-constexpr double least_cosine = 0.1;
 /// Between a contact and the exposure just before or after it.
 constexpr double beside_contact_s = 60;
 
-/// A texel that is seen, and its relative area on the disc.
-struct Patch {
-  double luminance_cd_m2, area;
-};
+using Colour = std::array<double, 3>;
 
-/// The disc in order of luminance, the darkest first.
-std::vector<Patch> patches_of(const texture::Image& image, const almanac::SkyState& sky) {
-  const auto to_earth = almanac::selenographic_direction(sky.sub_earth);
-  const std::size_t columns = 2 * rows, channels = image.values.size() / (rows * columns);
-  std::vector<Patch> patches;
-  for (std::size_t r = 0; r < rows; ++r)
-    for (std::size_t c = 0; c < columns; ++c) {
-      const double north = std::numbers::pi * (0.5 - (static_cast<double>(r) + 0.5) / rows),
-                   east = std::numbers::pi * ((static_cast<double>(c) + 0.5) / rows - 1);
-      const double cosine = glm::dot(
-          to_earth,
-          almanac::selenographic_direction({algebra::radians(north), algebra::radians(east)}));
-      if (cosine > least_cosine)
-        patches.push_back(
-            {static_cast<double>(image.values[(r * columns + c) * channels + channels - 1]),
-             cosine * std::cos(north)});
+/// Colours of a texture on the disc that faces the Earth, evenly over it.
+std::vector<Colour> disc_of(const texture::Image& texture, const almanac::SkyState& sky) {
+  constexpr int side = 120;
+  constexpr double edge = 0.995;  // texels nearer to the limb are seen edge on
+  const auto towards = almanac::selenographic_direction(sky.sub_earth),
+             east = glm::normalize(glm::cross(glm::dvec3(0, 0, 1), towards)),
+             north = glm::cross(towards, east);
+  const auto rows = static_cast<double>(texture.height);
+  std::vector<Colour> disc;
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) {
+      const double x = (2 * i + 1.) / side - 1, y = (2 * j + 1.) / side - 1, r2 = x * x + y * y;
+      if (r2 > edge * edge) continue;
+      const auto ground = std::sqrt(1 - r2) * towards + x * east + y * north;
+      const double latitude = std::asin(ground.z), longitude = std::atan2(ground.y, ground.x);
+      const auto r = static_cast<std::size_t>((0.5 - latitude / std::numbers::pi) * rows),
+                 c = static_cast<std::size_t>((longitude / std::numbers::pi + 1) * rows);
+      const auto column = std::min(c, texture.width - 1);
+      disc.push_back({texture(r, column, 0), texture(r, column, 1), texture(r, column, 2)});
     }
-  std::ranges::sort(patches, {}, &Patch::luminance_cd_m2);
-  return patches;
+  return disc;
 }
 
-/// Luminance below which a share of the area lies.
-double quantile(const std::vector<Patch>& patches, double share) {
-  double area = 0, so_far = 0;
-  for (const auto& patch : patches) area += patch.area;
-  for (const auto& patch : patches)
-    if ((so_far += patch.area) >= share * area) return patch.luminance_cd_m2;
-  return patches.empty() ? 0 : patches.back().luminance_cd_m2;
-}
-
-/// The disc's part in the umbra.
-std::vector<Patch> in_umbra(const std::vector<Patch>& disc, double brightest) {
-  std::vector<Patch> dark;
-  for (const auto& patch : disc)
-    if (patch.luminance_cd_m2 < brightest / umbra_contrast) dark.push_back(patch);
-  return dark;
-}
+/// What an exposure is made for: the disc through the air, the sky before it.
+struct Exposed {
+  std::vector<Colour> disc;
+  Colour sky;
+  double spread;  ///< factor of light in the umbra by its standard error
+  bool total;     ///< all of the disc is in the umbra
+};
 
 /// Exposure times at a camera's f-number and speed.
 class Exposer {
  public:
-  Exposer(const ViewRequest& view, const Development& development, double longest_s)
-      : view_(view), development_(development), longest_s_(longest_s) {
+  Exposer(const Development& development, std::optional<double> trailing_s, double longest_s)
+      : development_(development), trailing_s_(trailing_s), longest_s_(longest_s) {
     development_.time = {ExposureTime::Rule::fixed, 1};
-    const texture::Image nothing(1, 1, {"R", "G", "B"});
-    const auto second =
-        exposures_for(development_, nothing, colour::WorkingSpace::linear_rec709).shorter;
+    const auto second = exposures_for(development_, texture::Image(1, 1, {"R", "G", "B"}),
+                                      colour::WorkingSpace::linear_rec709)
+                            .shorter;
     per_second_ = scale_of(development_, second);
     f_number_ = second.f_number;
+    development_.time.rule = ExposureTime::Rule::automatic;
   }
 
   double f_number() const { return f_number_; }
 
-  /// None where it would be longer than the longest.
-  std::optional<double> time_s(double luminance_cd_m2, double level,
-                               const almanac::SkyState& sky) const {
-    const double time = level / (luminance_cd_m2 * transmittance(sky) * per_second_);
-    return time <= longest_s_ ? std::optional(time) : std::nullopt;
+  /// Fills in the times of a phase.
+  void expose(PhaseExposure& phase, const Exposed& seen) const {
+    std::vector<Colour> dark;
+    const double brightest = brightest_of(seen.disc, 0.99);
+    for (const auto& colour : seen.disc)
+      if (std::ranges::max(colour) < brightest / umbra_contrast) dark.push_back(colour);
+    const bool partial = static_cast<double>(dark.size()) >
+                         least_umbra_share * static_cast<double>(seen.disc.size());
+    phase.lit = limited(phase, seen.sky, seen.total ? seen.spread : 1,
+                        [&](double factor, Colour sky) { return lit_s(seen.disc, factor, sky); });
+    if (!partial) return;
+    const double median = brightest_of(dark, 0.5);
+    phase.shadow = limited(phase, seen.sky, seen.spread, [&](double factor, const Colour& sky) {
+      return umbra_level / ((factor * median + std::ranges::max(sky)) * per_second_);
+    });
   }
 
  private:
-  /// Transmittance of the air above the observer, where the eye is most sensitive; 1 of a Moon below the horizon.
-  double transmittance(const almanac::SkyState& sky) const {
-    constexpr auto most_sensitive = algebra::nanometres(555);
-    if (!view_.observer || !view_.reddening || !moon_is_up(view_, sky)) return 1;
-    const auto seen = view_of(view_, sky);
-    return seen.sightline ? atmosphere::transmittance_above(
-                                seen.sightline->air, seen.sightline->altitude, most_sensitive)
-                          : 1;
+  /// Brightest channel below which a share of colours lies.
+  static double brightest_of(const std::vector<Colour>& colours, double share) {
+    std::vector<double> levels;
+    for (const auto& colour : colours) levels.push_back(std::ranges::max(colour));
+    const auto place =
+        levels.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(levels.size()));
+    std::ranges::nth_element(levels, place);
+    return *place;
   }
 
-  ViewRequest view_;
+  double lit_s(const std::vector<Colour>& disc, double factor, const Colour& sky) const {
+    texture::Image frame(disc.size(), 1, {"R", "G", "B"});
+    for (std::size_t i = 0; i < disc.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        frame(0, i, k) = static_cast<float>(factor * disc[i][k] + sky[k]);
+    return exposures_for(development_, frame, colour::WorkingSpace::linear_rec709).shorter.time_s;
+  }
+
+  /// Times of a part within what trailing and the sky allow; none where it is longer than the longest.
+  template <class Time>
+  std::optional<PartExposure> limited(PhaseExposure& phase, const Colour& sky, double spread,
+                                      const Time& time_of) const {
+    constexpr double third_of_a_stop = 1.26;
+    const double most_s = most_sky_level / (std::ranges::max(sky) * per_second_),
+                 wanted = std::min(time_of(1, sky), most_s);
+    if (wanted > longest_s_) {
+      phase.too_dark = true;
+      return {};
+    }
+    phase.by_sky |= wanted * third_of_a_stop < time_of(1, {0, 0, 0});
+    const double longest = std::min(most_s, trailing_s_.value_or(longest_s_));
+    const auto at = [&](double factor) { return std::min(time_of(factor, sky), longest); };
+    const double time = at(1);
+    return PartExposure{time, at(spread), at(1 / spread), std::log2(wanted / time)};
+  }
+
   Development development_;
+  std::optional<double> trailing_s_;
   double longest_s_, per_second_ = 1, f_number_ = 1;
 };
 
-PhaseExposure exposure_of(const MoonSurvey& survey, const Exposer& exposer,
-                          const std::string& phase, const Instant& when) {
+/// Exposure of a phase, of a Moon and its light seen at one moment.
+PhaseExposure exposure_of(const std::string& name, const Instant& when, const DiscBrightness& above,
+                          const texture::Image& colours, const ViewRequest& view,
+                          const Exposer& exposer, double spread, bool total) {
   const auto sky = almanac::sky_at(when);
-  const auto disc = patches_of(survey.texture(sky), sky);
-  const double brightest = quantile(disc, 1 - brighter_share);
-  PhaseExposure exposure{phase, when, exposer.time_s(brightest, lit_level, sky)};
-  exposure.too_dark = !exposure.lit_s;
-  const auto dark = in_umbra(disc, brightest);
-  if (static_cast<double>(dark.size()) > least_umbra_share * static_cast<double>(disc.size())) {
-    exposure.shadow_s = exposer.time_s(quantile(dark, 0.5), umbra_level, sky);
-    exposure.too_dark |= !exposure.shadow_s;
-  }
-  return exposure;
+  const auto seen = moon_and_sky(above, sky, view);
+  PhaseExposure phase{name, when, seen.stands_out(), seen.sky_cd_m2 / seen.seen_cd_m2};
+  if (!phase.seen) return phase;
+  const auto place = apparent_place(*view.observer, sky);
+  const auto light = ClearSky(*view.observer, sky, air_over(*view.observer, view), seen.V_magnitude)
+                         .light(in_sky(place.altitude, place.azimuth));
+  exposer.expose(phase, {disc_of(colours, sky), {light[0], light[1], light[2]}, spread, total});
+  return phase;
 }
 
-NightLight light_at(const MoonSurvey& survey, const NightMoment& moment,
-                    const almanac::Observer& place, const atmosphere::ObserverAir& air) {
+NightLight light_at(const EclipseLight& light, const NightMoment& moment, const ViewRequest& view) {
   const auto sky = almanac::sky_at(moment.when);
-  const auto disc = survey.brightness(sky);
-  const double V = disc.magnitudes[V_band],
-               star = faintest_star(ClearSky(place, sky, air, V).zenith_cd_m2());
-  return {moment.name, moment.when, V, disc.mean_luminance_cd_m2,
-          star > 0 ? std::optional(star) : std::nullopt};
+  const auto seen = moon_and_sky(light.brightness(sky), sky, view);
+  const double star =
+      faintest_star(ClearSky(*view.observer, sky, air_over(*view.observer, view), seen.V_magnitude)
+                        .zenith_cd_m2());
+  return {moment.name,
+          moment.when,
+          seen.V_magnitude,
+          seen.mean_luminance_cd_m2,
+          star > 0 ? std::optional(star) : std::nullopt,
+          moment.up ? std::optional(seen.sky_cd_m2) : std::nullopt};
+}
+
+/// Whether the Moon's lower limb is above the horizon.
+bool wholly_up(const almanac::Observer& place, const Instant& when) {
+  const auto sky = almanac::sky_at(when);
+  const double radius =
+      std::asin(almanac::lunar_radius / almanac::view_from(place, sky).moon_distance);
+  return algebra::in_radians(above_horizon(place, sky)) > 2 * radius;
 }
 
 /// Share of the Moon's diameter in the umbra, by the axis distance since U1.
@@ -157,44 +187,51 @@ double immersed(const Instant& u1, const Instant& when) {
   return (distance_m(u1) - distance_m(when)) / (2 * algebra::in_metres(almanac::lunar_radius));
 }
 
-/// Moment between U1 and the greatest phase at which a share of the Moon's diameter is in the umbra, to a second.
-Instant moment_of_share(const eclipse::Eclipse& eclipse, double share) {
-  const auto& u1 = *eclipse.contacts.U1;
-  double from = 0, to = almanac::seconds_between(u1, eclipse.greatest);
-  while (to - from > 1) {
+/// Moment between U1 or U4 and the greatest phase at which a share of the Moon's diameter is in the umbra, to a second.
+Instant moment_of_share(const Instant& contact, const Instant& greatest, double share) {
+  const double seconds = almanac::seconds_between(contact, greatest);
+  double from = 0, to = 1;
+  while ((to - from) * std::abs(seconds) > 1) {
     const double middle = (from + to) / 2;
-    (immersed(u1, almanac::later(u1, middle)) < share ? from : to) = middle;
+    (immersed(contact, almanac::later(contact, middle * seconds)) < share ? from : to) = middle;
   }
-  return almanac::later(u1, to);
+  return almanac::later(contact, to * seconds);
 }
 
-/// Phases, each with its own exposure, and their moments.
-std::vector<std::pair<std::string, Instant>> phases_of(const eclipse::Eclipse& eclipse) {
+/// Phases, each with its own exposure, and their moments in order of time.
+std::vector<std::pair<std::string, Instant>> phases_of(const Circumstances& night) {
+  const auto& eclipse = night.eclipse;
   const auto& c = eclipse.contacts;
-  std::vector<std::pair<std::string, Instant>> phases{
-      {"full Moon, before P1", almanac::later(*c.P1, -beside_contact_s)}};
-  if (!c.U1) {
-    phases.emplace_back("greatest, in the penumbra", eclipse.greatest);
-    return phases;
+  const auto beside = [](const Instant& contact, double side) {
+    return almanac::later(contact, side * beside_contact_s);
+  };
+  std::vector<std::pair<std::string, Instant>> phases{{"full Moon, before P1", beside(*c.P1, -1)},
+                                                      {"full Moon, after P4", beside(*c.P4, 1)}};
+  phases.emplace_back(c.U2   ? "middle of totality"
+                      : c.U1 ? "greatest, in the umbra"
+                             : "greatest, in the penumbra",
+                      eclipse.greatest);
+  if (c.U1) {
+    phases.emplace_back("penumbral, just before U1", beside(*c.U1, -1));
+    phases.emplace_back("penumbral, just after U4", beside(*c.U4, 1));
+    for (const auto& [name, share] : {std::pair{"partial, a quarter", 0.25},
+                                      {"partial, half", 0.5},
+                                      {"partial, three quarters", 0.75},
+                                      {"partial, 95 %", 0.95}})
+      if (share < eclipse.umbral_magnitude)
+        for (const auto& [contact, way] : {std::pair{*c.U1, ""}, {*c.U4, ", leaving"}})
+          phases.emplace_back(std::string(name) + way,
+                              moment_of_share(contact, eclipse.greatest, share));
   }
-  phases.emplace_back("penumbral, just before U1", almanac::later(*c.U1, -beside_contact_s));
-  for (const auto& [name, share] : {std::pair{"partial, a quarter", 0.25},
-                                    {"partial, half", 0.5},
-                                    {"partial, three quarters", 0.75},
-                                    {"partial, 95 %", 0.95}})
-    if (share < eclipse.umbral_magnitude)
-      phases.emplace_back(name, moment_of_share(eclipse, share));
-  if (c.U2) phases.emplace_back("totality, just after U2", almanac::later(*c.U2, beside_contact_s));
-  phases.emplace_back(c.U2 ? "middle of totality" : "greatest, in the umbra", eclipse.greatest);
+  if (c.U2) phases.emplace_back("totality, just after U2", beside(*c.U2, 1));
+  if (c.U3) phases.emplace_back("totality, just before U3", beside(*c.U3, -1));
+  for (const auto& moment : night.moments)
+    if (moment.name.ends_with(" seen")) phases.emplace_back(moment.name, moment.when);
+  std::ranges::stable_sort(phases, [](const auto& a, const auto& b) {
+    return almanac::seconds_between(a.second, b.second) > 0;
+  });
+  std::erase_if(phases, [&](const auto& phase) { return !wholly_up(night.place, phase.second); });
   return phases;
-}
-
-std::vector<almanac::SkyState> skies_from(const eclipse::Eclipse& eclipse) {
-  const double seconds = almanac::seconds_between(*eclipse.contacts.P1, *eclipse.contacts.P4);
-  std::vector<almanac::SkyState> skies;
-  for (double s = 0; s <= seconds; s += between_skies_s)
-    skies.push_back(almanac::sky_at(almanac::later(*eclipse.contacts.P1, s)));
-  return skies;
 }
 
 /// Progress of a part: passes its fractions 0 to 1 on as `from` to `to`.
@@ -203,13 +240,14 @@ algebra::Progress part_of(const algebra::Progress& whole, double from, double to
   return [whole, from, to](double fraction) { whole(std::lerp(from, to, fraction)); };
 }
 
-/// Exposures of the middle of totality at L = 4 to 0.
+/// Exposures of the middle of totality at L = 4 to 0, of those Moons that are seen.
 std::vector<PhaseExposure> danjon_exposures(const Instant& greatest, const MoonRequest& moon,
-                                            const algebra::Grid<float>& albedo,
+                                            const EclipseLight& light, const ViewRequest& view,
                                             const Exposer& exposer,
                                             const algebra::Progress& progress) {
   constexpr std::size_t steps = 5;
   const auto sky = almanac::sky_at(greatest);
+  const auto through = view_of(view, sky).sightline;
   std::vector<MoonRequest> requests(steps, moon);
   std::vector<ShadowedMoon> moons;
   for (std::size_t i = 0; i < steps; ++i) {
@@ -221,14 +259,26 @@ std::vector<PhaseExposure> danjon_exposures(const Instant& greatest, const MoonR
   tbb::parallel_for(
       std::size_t{0}, steps,
       [&](std::size_t i) {
-        const auto light = light_on_the_way(requests[i].light, moons[i], {.error_told = false});
-        exposures[i] =
-            exposure_of(MoonSurvey(requests[i], albedo, light), exposer,
-                        fmt::format("middle of totality, L = {}", steps - 1 - i), greatest);
+        const auto lit = light_on_the_way(requests[i].light, moons[i], {.error_told = false});
+        exposures[i] = exposure_of(
+            fmt::format("middle of totality, L = {}", steps - 1 - i), greatest,
+            MoonSurvey(requests[i], light.albedo(), lit).brightness(sky),
+            colours_of(requests[i], light.albedo(), lit, sky, through), view, exposer, 1, true);
         if (progress) progress(static_cast<double>(++done) / steps);
       },
       tbb::simple_partitioner());
+  std::erase_if(exposures, [](const PhaseExposure& phase) { return !phase.seen; });
   return exposures;
+}
+
+/// Time in which the Moon trails by two pixels of the camera, without one of 4 µm; none without a focal length.
+std::optional<double> trailing_of(const Circumstances& night, const ViewRequest& view,
+                                  const Development& development) {
+  constexpr double usual_pixel_um = 4;
+  if (!view.focal_length_mm) return {};
+  const auto camera = camera_of(development.camera);
+  return trailing_time_s(night, *view.focal_length_mm,
+                         2 * (camera ? camera->sensor.pixel_um : usual_pixel_um));
 }
 
 }  // namespace
@@ -236,30 +286,35 @@ std::vector<PhaseExposure> danjon_exposures(const Instant& greatest, const MoonR
 NightLights night_lights(const Circumstances& night, const MoonRequest& moon,
                          const ViewRequest& view, const Development& development, bool danjon,
                          const algebra::Progress& progress) {
-  auto small = moon;
-  small.texture_width = 2 * rows;
-  const auto albedo = texture::resized(normal_albedo(small), rows);
-  const auto skies = skies_from(night.eclipse);
-  const bool steps = danjon && night.eclipse.contacts.U2;
+  const auto& eclipse = night.eclipse;
+  const bool steps = danjon && eclipse.contacts.U2 && wholly_up(night.place, eclipse.greatest);
   const double done = steps ? 0.25 : 1;
-  const auto light = light_on_the_way(moon.light, moon_on_its_way(moon.light, skies),
-                                      {.error_told = false}, part_of(progress, 0, done));
-  const MoonSurvey survey(moon, albedo, light);
-  const auto& contacts = night.eclipse.contacts;
-  const Exposer exposer(view, development, almanac::seconds_between(*contacts.P1, *contacts.P4));
-  NightLights lights{.f_number = exposer.f_number(), .iso = development.iso};
-  if (night.eclipse.contacts.U2)
-    lights.V_error = totality_error_mag(moon.light.air, almanac::year_of(night.eclipse.greatest));
-  const auto air = air_over(night.place, view);
-  for (const auto& moment : night.moments)
-    if (!moment.name.starts_with("moon"))
-      lights.moments.push_back(light_at(survey, moment, night.place, air));
-  for (const auto& [phase, when] : phases_of(night.eclipse))
-    lights.exposures.push_back(exposure_of(survey, exposer, phase, when));
-  if (!steps) return lights;
-  for (auto& exposure :
-       danjon_exposures(night.eclipse.greatest, moon, albedo, exposer, part_of(progress, done, 1)))
-    lights.exposures.push_back(std::move(exposure));
+  const EclipseLight light(eclipse, moon, part_of(progress, 0, done));
+  NightLights lights{as_seen(
+      night, [&](const auto& sky) { return light.brightness(sky); }, view)};
+  lights.trailing_s = trailing_of(night, view, development);
+  const Exposer exposer(development, lights.trailing_s,
+                        almanac::seconds_between(*eclipse.contacts.P1, *eclipse.contacts.P4));
+  lights.f_number = exposer.f_number();
+  lights.iso = development.iso;
+  if (eclipse.contacts.U2)
+    lights.V_error = totality_error_mag(moon.light.air, almanac::year_of(eclipse.greatest));
+  for (const auto& moment : lights.night.moments)
+    if (!moment.name.starts_with("moon")) lights.moments.push_back(light_at(light, moment, view));
+  if (lights.night.seen.empty()) return lights;
+  const double spread = std::pow(10, 0.4 * lights.V_error.value_or(0));
+  for (const auto& [phase, when] : phases_of(lights.night)) {
+    const auto sky = almanac::sky_at(when);
+    const bool total =
+        eclipse.contacts.U2 && holds({*eclipse.contacts.U2, *eclipse.contacts.U3}, when);
+    lights.exposures.push_back(exposure_of(phase, when, light.brightness(sky),
+                                           light.colours(sky, view_of(view, sky).sightline), view,
+                                           exposer, spread, total));
+    if (!steps || phase != "middle of totality") continue;
+    for (auto& each :
+         danjon_exposures(when, moon, light, view, exposer, part_of(progress, done, 1)))
+      lights.exposures.push_back(std::move(each));
+  }
   return lights;
 }
 

@@ -5,48 +5,60 @@
 #include <string>
 #include <vector>
 
-#include "uses/night/circumstances.h"
+#include "uses/night/eclipse_light.h"
 #include "uses/picture/development.h"
-#include "uses/picture/moon.h"
-#include "uses/picture/view.h"
 
 namespace coppermoon::uses {
 
-/// Brightness of the Moon at a contact, or at the greatest phase.
+/// Brightness of the Moon at a moment of its night.
 struct NightLight {
-  std::string name;  ///< of the contact
+  std::string name;  ///< of the moment
   almanac::Instant when;
-  double V_magnitude;                   ///< of the whole Moon, above the air
-  double mean_luminance_cd_m2;          ///< of the disc, above the air
-  std::optional<double> faintest_star;  ///< V magnitude, for the naked eye under the sky of the
-                                        ///< place; none where a star of magnitude 0 is not seen
+  double V_magnitude;                    ///< of the whole Moon, above the air
+  double mean_luminance_cd_m2;           ///< of the disc, above the air
+  std::optional<double> faintest_star;   ///< V magnitude, for the naked eye under the sky of the
+                                         ///< place; none where a star of magnitude 0 is not seen
+  std::optional<double> sky_cd_m2 = {};  ///< at the Moon; none of a Moon that is not up
+};
+
+/// Exposure time of a part of the Moon, and the times of a brighter and a darker Moon: the standard error in totality.
+struct PartExposure {
+  double time_s, least_s, most_s;
+  double stops_under = 0;  ///< below what the part asks for, where it would trail
 };
 
 /// Exposure times for a phase of the eclipse.
 struct PhaseExposure {
-  std::string phase;  ///< "full Moon", "partial, half", "middle of totality, L = 2"
+  std::string phase;  ///< "full Moon, before P1", "partial, half", "middle of totality, L = 2"
   almanac::Instant when;
-  std::optional<double> lit_s{};     ///< for the part outside the umbra; in totality for the disc
-  std::optional<double> shadow_s{};  ///< for the part in the umbra, during the partial phase
+  bool seen = true;  ///< the Moon stands out from its sky; no time without
+  double sky_over_moon = 0;
+  std::optional<PartExposure> lit{};     ///< the part outside the umbra; in totality the disc
+  std::optional<PartExposure> shadow{};  ///< the part in the umbra, during the partial phase
   bool too_dark = false;  ///< a part has no time, as it would be longer than the whole eclipse
+  bool by_sky = false;    ///< the sky's light makes a time shorter, by a third of a stop or more
 };
 
 /// Brightness and exposure times of an eclipse.
 struct NightLights {
-  std::vector<NightLight> moments = {};  ///< of each contact, and the greatest phase
+  Circumstances night;  ///< with the times in which the Moon is seen
+  std::vector<NightLight> moments =
+      {};  ///< of each contact, the greatest phase, first and last seen
   std::vector<PhaseExposure> exposures = {};
-  double f_number = 0, iso = 0;        ///< of the exposures
-  std::optional<double> V_error = {};  ///< standard error of V in totality (totality_error_mag)
+  double f_number = 0, iso = 0;           ///< of the exposures
+  std::optional<double> V_error = {};     ///< standard error of V in totality (totality_error_mag)
+  std::optional<double> trailing_s = {};  ///< none without a focal length
 };
 
-/// Brightness of an eclipse at its contacts, and exposure times for its phases, from one simulation of the whole
-/// eclipse; with `danjon`, times for the middle of totality at L = 0 to 4 too.
+/// Brightness of an eclipse at its contacts, and exposure times for its phases while all of the Moon is above the horizon,
+/// from one simulation of the whole eclipse; with `danjon`, times for the middle of totality at L = 0 to 4 too.
 ///
-/// Exposes the 99th percentile of the luminance to 0.8 of saturation, and the median of the part in the umbra, during
-/// the partial phase, to 0.18. A Moon below the horizon is exposed as from above the air.
+/// Exposes the Moon through the place's air, with the sky's light before it: by the automatic rule of exposures_for, and
+/// the median of the part in the umbra, during the partial phase, to 0.18. No time lets the sky pass half of saturation, or
+/// the Moon trail by two pixels, of the camera or of 4 µm, where a focal length is given.
 ///
 /// Given   moon  a tolerance of some percent of light is enough for exposures
-///         view  for its observer and the air above
+///         view  for its observer, the air above and the focal length
 ///         development  f-number, speed and camera
 /// Throws  Error  as light_on_the_way, normal_albedo, exposures_for
 NightLights night_lights(const Circumstances& night, const MoonRequest& moon,

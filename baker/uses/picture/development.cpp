@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -43,16 +44,19 @@ Development for_file(Development development, const std::filesystem::path& pictu
   return development;
 }
 
-/// Luminances of lit pixels that the Moon covers wholly or partly [cd/m²].
-std::vector<double> luminances(const texture::Image& frame, colour::WorkingSpace space,
-                               const std::optional<DiscOutline>& disc) {
+/// Luminance of a colour, or its brightest channel [cd/m²].
+using Level = double(colour::WorkingSpace, std::span<const double>);
+
+/// Levels of lit pixels that the Moon covers wholly or partly [cd/m²].
+std::vector<double> levels(Level level, const texture::Image& frame, colour::WorkingSpace space,
+                           const std::optional<DiscOutline>& disc) {
   std::vector<double> lit;
   require_colours(frame);
   for (std::size_t r = 0; r < frame.height; ++r)
     for (std::size_t c = 0; c < frame.width; ++c) {
       const std::array<double, 3> pixel{frame(r, c, 0), frame(r, c, 1), frame(r, c, 2)};
       if (pixel == std::array{0., 0., 0.}) continue;
-      const double y = colour::luminance(space, pixel);
+      const double y = level(space, pixel);
       if (y > 0 && (!disc || covered_share(*disc, static_cast<double>(c) + 0.5,
                                            static_cast<double>(r) + 0.5) > 0))
         lit.push_back(y);
@@ -60,8 +64,8 @@ std::vector<double> luminances(const texture::Image& frame, colour::WorkingSpace
   return lit;
 }
 
-/// 99th percentile of the luminances.
-double bright_luminance(std::vector<double> lit) {
+/// 99th percentile.
+double bright_level_of(std::vector<double> lit) {
   const auto bright = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() * 99 / 100);
   std::nth_element(lit.begin(), bright, lit.end());
   return *bright;
@@ -72,8 +76,8 @@ class Brightest {
  public:
   explicit Brightest(std::size_t most) : kept_(most - most * 99 / 100) {}
 
-  void add(double luminance) {
-    greatest_.push_back(luminance);
+  void add(double level) {
+    greatest_.push_back(level);
     ++count_;
     if (greatest_.size() <= 2 * kept_) return;
     std::ranges::nth_element(greatest_, greatest_.begin() + std::ptrdiff_t(kept_), std::greater{});
@@ -105,11 +109,11 @@ void for_each_band(const LitTexture& texture,
   }
 }
 
-/// Leading bits of a luminance, which sort like it; and the middle of all luminances that share them.
+/// Leading bits of a level, which sort like it; and the middle of all levels that share them.
 constexpr unsigned dropped_bits = 12;
 
-std::size_t step_of(double luminance) {
-  return std::bit_cast<std::uint32_t>(static_cast<float>(luminance)) >> dropped_bits;
+std::size_t step_of(double level) {
+  return std::bit_cast<std::uint32_t>(static_cast<float>(level)) >> dropped_bits;
 }
 
 double middle_of(std::size_t step) {
@@ -139,7 +143,7 @@ double cubic_mean(const LitSums& sums) {
   return mean * mean * mean;
 }
 
-/// Mean weighted by the cube of luminance: near that of the bright part, however small.
+/// Mean weighted by the cube: near that of the bright part, however small.
 double bright_mean(const LitSums& sums) { return sums.fourth_powers / sums.cubes; }
 
 /// Harmonic mean: near that of the dark part as soon as it is a tenth of the disc.
@@ -150,10 +154,22 @@ colour::Exposure one_second(const Development& development) {
   return {1, f_number_of(development), development.iso};
 }
 
-/// Exposure time at which a luminance reaches a share of saturation.
-double time_for(const Development& development, double luminance, double level) {
-  const double scaled = level / luminance;
-  return std::clamp(scaled / scale_of(development, one_second(development)), 1e-6, 1e5);
+/// Share of saturation at which a sky is shown: dark at night, brighter as the eye adapts to more light, and
+/// never near white.
+///
+/// Source  Krawczyk, Myszkowski & Seidel (2005), Perceptual effects in real-time tone mapping, Proc. SCCG, eq. 11: the key
+///         of a scene by its luminance
+double sky_level(double sky_cd_m2) {
+  constexpr double least = 0.1, most = 0.4;  // else a Moon as dim as its sky were lost in the dark
+  return std::clamp(1.03 - 2 / (2 + std::log10(sky_cd_m2 + 1)), least, most);
+}
+
+/// Time in which the sky comes to its level, or a brightest channel to a share of saturation if that is sooner.
+double time_for(const Development& development, double sky_cd_m2,
+                const std::optional<double>& brightest = {}, double level = 0) {
+  double scale = brightest ? level / *brightest : std::numeric_limits<double>::max();
+  if (sky_cd_m2 > 0) scale = std::min(scale, sky_level(sky_cd_m2) / sky_cd_m2);
+  return std::clamp(scale / scale_of(development, one_second(development)), 1e-6, 1e5);
 }
 
 Exposures exposed_for(const Development& development, double time_s) {
@@ -163,15 +179,30 @@ Exposures exposed_for(const Development& development, double time_s) {
 }
 
 /// Shares of saturation at which the rules expose.
-constexpr double brightest_level = 0.8, followed_level = 0.25, bright_level = 0.5, dark_level = 0.4;
+constexpr double brightest_level = 0.8, followed_level = 0.25, composite_level = 0.6;
+
+/// Exposure of a frame in which nothing of the Moon is lit.
+Exposures exposed_for_sky(const Development& development, double sky_cd_m2) {
+  return sky_cd_m2 > 0 ? exposed_for(development, time_for(development, sky_cd_m2))
+                       : Exposures{one_second(development)};
+}
 
 /// Exposures by a rule over sums.
-Exposures exposed_for(const Development& development, const LitSums& sums) {
+Exposures exposed_for(const Development& development, const LitSums& sums, double sky_cd_m2) {
+  const auto time = [&](double brightest, double level) {
+    return time_for(development, sky_cd_m2, brightest, level);
+  };
   if (development.time.rule == ExposureTime::Rule::follow)
-    return exposed_for(development, time_for(development, cubic_mean(sums), followed_level));
-  auto all = exposed_for(development, time_for(development, bright_mean(sums), bright_level));
-  all.longer_s = std::max(all.shorter.time_s, time_for(development, dark_mean(sums), dark_level));
+    return exposed_for(development, time(cubic_mean(sums), followed_level));
+  auto all = exposed_for(development, time(bright_mean(sums), composite_level));
+  all.longer_s = std::max(all.shorter.time_s, time(dark_mean(sums), composite_level));
   return all;
+}
+
+/// Exposure by the brightest channel of a hundredth.
+Exposures exposed_for_brightest(const Development& development, double brightest,
+                                double sky_cd_m2) {
+  return exposed_for(development, time_for(development, sky_cd_m2, brightest, brightest_level));
 }
 
 void require_ending(const std::filesystem::path& file, const char* what, const char* ending) {
@@ -204,12 +235,12 @@ colour::Image taken(const Development& development, const colour::Exposure& expo
 /// (1 - exp(-x)) / x
 double rounded_off(double x) { return std::abs(x) < 1e-9 ? 1 : -std::expm1(-x) / x; }
 
-/// A frame whose luminances x, in units of saturation, are dimmed to 1 - exp(-x); a colour keeps its ratios.
+/// A frame whose brightest channels x, in units of saturation, are dimmed to 1 - exp(-x); a colour keeps its ratios.
 texture::Image dimmed(texture::Image light, colour::WorkingSpace space, double scale) {
   require_colours(light);
   for (std::size_t r = 0; r < light.height; ++r)
     for (std::size_t c = 0; c < light.width; ++c) {
-      const double y = colour::luminance(
+      const double y = colour::brightest_channel(
           space, std::array<double, 3>{light(r, c, 0), light(r, c, 1), light(r, c, 2)});
       const double share = rounded_off(scale * std::max(0., y));
       for (std::size_t k = 0; k < 3; ++k)
@@ -222,7 +253,6 @@ texture::Image dimmed(texture::Image light, colour::WorkingSpace space, double s
 colour::Image shadow_taken(const Development& development, const colour::Exposure& exposure,
                            const Frame& frame) {
   constexpr auto other_noise = std::uint64_t{1} << 63;
-  constexpr double reddest = 4;  // red over luminance, of a deep shadow or a Moon that rises
   const bool through_camera = camera_of(development).has_value();
   const double scale = scale_of(development, exposure);
   const LimbPixels limb(through_camera ? frame.seen.disc : std::nullopt, frame.light,
@@ -230,9 +260,7 @@ colour::Image shadow_taken(const Development& development, const colour::Exposur
   const auto covered = limb.covered(dimmed(limb.with_ground(frame.light), frame.space, scale));
   auto seen = frame.seen;
   seen.sky_cd_m2 *= rounded_off(scale * seen.sky_cd_m2);
-  auto slower = exposure;
-  slower.iso = std::max(1., exposure.iso / reddest);
-  auto shadow = taken(development, slower,
+  auto shadow = taken(development, exposure,
                       {covered, frame.space, seen, frame.number ^ other_noise, frame.attributes});
   for (auto& pixel : shadow.values())
     for (float& value : pixel) value = static_cast<float>(scale * value);
@@ -281,13 +309,13 @@ void write_shown(const std::filesystem::path& file, const Development& developme
 
 }  // namespace
 
-void LitSums::add(double luminance_cd_m2) {
-  const double cube = luminance_cd_m2 * luminance_cd_m2 * luminance_cd_m2;
+void LitSums::add(double brightest_cd_m2) {
+  const double cube = brightest_cd_m2 * brightest_cd_m2 * brightest_cd_m2;
   ++count;
-  inverses += 1 / luminance_cd_m2;
-  cube_roots += std::cbrt(luminance_cd_m2);
+  inverses += 1 / brightest_cd_m2;
+  cube_roots += std::cbrt(brightest_cd_m2);
   cubes += cube;
-  fourth_powers += cube * luminance_cd_m2;
+  fourth_powers += cube * brightest_cd_m2;
 }
 
 void LitSums::add(const LitSums& more) {
@@ -302,11 +330,11 @@ Exposures exposures_for(const Development& development, const texture::Image& fr
                         colour::WorkingSpace space, const SeenFrame& seen) {
   if (development.time.rule == ExposureTime::Rule::fixed)
     return exposed_for(development, development.time.seconds);
-  const auto lit = luminances(frame, space, seen.disc);
-  if (lit.empty()) return {one_second(development)};
+  const auto lit = levels(colour::brightest_channel, frame, space, seen.disc);
+  if (lit.empty()) return exposed_for_sky(development, seen.sky_cd_m2);
   if (development.time.rule != ExposureTime::Rule::automatic)
-    return exposed_for(development, sums_of(lit));
-  return exposed_for(development, time_for(development, bright_luminance(lit), brightest_level));
+    return exposed_for(development, sums_of(lit), seen.sky_cd_m2);
+  return exposed_for_brightest(development, bright_level_of(lit), seen.sky_cd_m2);
 }
 
 Exposures exposures_for(const Development& development, const LitTexture& texture) {
@@ -315,21 +343,21 @@ Exposures exposures_for(const Development& development, const LitTexture& textur
   Brightest brightest(texture.layout.width * texture.layout.height);
   LitSums sums;
   for_each_band(texture, [&](const texture::Image& band) {
-    for (const double y : luminances(band, texture.space, {}))
+    for (const double y : levels(colour::brightest_channel, band, texture.space, {}))
       rule == ExposureTime::Rule::automatic ? brightest.add(y) : sums.add(y);
   });
   if (brightest.count() + sums.count == 0) return {one_second(development)};
-  if (rule != ExposureTime::Rule::automatic) return exposed_for(development, sums);
-  return exposed_for(development, time_for(development, brightest.percentile(), brightest_level));
+  if (rule != ExposureTime::Rule::automatic) return exposed_for(development, sums, 0);
+  return exposed_for_brightest(development, brightest.percentile(), 0);
 }
 
 double sky_over_moon(const texture::Image& frame, colour::WorkingSpace space,
                      const SeenFrame& seen) {
   const double sky = seen.sky_cd_m2;
   if (sky == 0) return 0;
-  const auto lit = luminances(frame, space, seen.disc);
+  const auto lit = levels(colour::luminance, frame, space, seen.disc);
   // half floats cannot tell a Moon of a thousandth of its sky
-  return lit.empty() ? 0 : sky / std::max(bright_luminance(lit) - sky, sky / 1000);
+  return lit.empty() ? 0 : sky / std::max(bright_level_of(lit) - sky, sky / 1000);
 }
 
 SharedExposure::SharedExposure(const Development& development) : development_(development) {
@@ -340,8 +368,9 @@ SharedExposure::SharedExposure(const Development& development) : development_(de
 void SharedExposure::add(const texture::Image& frame, colour::WorkingSpace space,
                          const SeenFrame& seen) {
   if (development_.time.rule == ExposureTime::Rule::fixed) return;
-  const auto lit = luminances(frame, space, seen.disc);
+  const auto lit = levels(colour::brightest_channel, frame, space, seen.disc);
   sums_.add(sums_of(lit));
+  sky_cd_m2_ = std::max(sky_cd_m2_, seen.sky_cd_m2);
   if (!counts_.empty())
     for (const double y : lit) ++counts_[step_of(y)];
 }
@@ -349,11 +378,11 @@ void SharedExposure::add(const texture::Image& frame, colour::WorkingSpace space
 Exposures SharedExposure::exposures() const {
   if (development_.time.rule == ExposureTime::Rule::fixed)
     return exposed_for(development_, development_.time.seconds);
-  if (sums_.count == 0) return {one_second(development_)};
-  if (counts_.empty()) return exposed_for(development_, sums_);
+  if (sums_.count == 0) return exposed_for_sky(development_, sky_cd_m2_);
+  if (counts_.empty()) return exposed_for(development_, sums_, sky_cd_m2_);
   std::size_t step = 0;
   for (std::size_t below = counts_[0]; below <= sums_.count * 99 / 100;) below += counts_[++step];
-  return exposed_for(development_, time_for(development_, middle_of(step), brightest_level));
+  return exposed_for_brightest(development_, middle_of(step), sky_cd_m2_);
 }
 
 double scale_of(const Development& development, const colour::Exposure& exposure) {

@@ -16,9 +16,9 @@ namespace coppermoon::uses {
 /// Rule for the exposure time of a frame.
 struct ExposureTime {
   enum class Rule {
-    automatic,  ///< 99th percentile of lit ground at 0.8 of saturation
-    follow,     ///< cube of the mean cube root of luminance at 0.25: no step when totality begins
-    composite,  ///< two exposures in one picture: for the bright part and for the shadow
+    automatic,  ///< 99th percentile of lit ground at 0.8 of saturation, in its brightest channel
+    follow,  ///< cube of the mean cube root of brightest channels at 0.25: no step when totality begins
+    composite,  ///< two exposures in one picture, for the bright part and for the shadow: films
     fixed
   };
   Rule rule = Rule::automatic;
@@ -31,7 +31,7 @@ struct Development {
   std::optional<double> f_number{};  ///< without: 12.1, or the camera's
   double iso = 800;
   std::string
-      view = "Un-tone-mapped",
+      view = "Hue-preserving",
       display = "sRGB",
       config;  ///< of OpenColorIO; config: a file, or ocio://…; empty: as colour::config_for
   std::string
@@ -49,7 +49,9 @@ struct Exposures {
   bool a_cameras = true;                ///< else it only says which luminance is white
 };
 
-/// Exposure by the rule of a development; 1 s when nothing is lit.
+/// Exposure by the rule of a development, for Moon and sky: by the Moon's pixels, which hold the sky's light too, but no
+/// longer than brings the sky to its own level, 0.1 of saturation at night to 0.4 of a day. Of a frame in which nothing
+/// of the Moon is lit, that of the sky; 1 s where that is black.
 ///
 /// Given  seen  outline of the Moon: stars beside it are not counted; without: all pixels are
 /// Throws Error when a setting is outside its range, or the frame has fewer than three channels
@@ -72,19 +74,19 @@ Exposures exposures_for(const Development& development, const LitTexture& textur
 double sky_over_moon(const texture::Image& frame, colour::WorkingSpace space,
                      const SeenFrame& seen);
 
-/// Sums over luminances Y of lit pixels [cd/m²], from which exposure times follow.
+/// Sums over the brightest channels of lit pixels [cd/m²], from which exposure times follow.
 struct LitSums {
   std::size_t count = 0;
   double inverses = 0, cube_roots = 0, cubes = 0, fourth_powers = 0;
 
-  void add(double luminance_cd_m2);
+  void add(double brightest_cd_m2);
   void add(const LitSums& more);
 };
 
 /// Exposure shared by a set of frames, by the rule for a single one applied to all their pixels. Only counts and
 /// sums are kept.
 ///
-/// Accuracy  automatic times to 1/2000: luminances are counted in steps of 2^-11
+/// Accuracy  automatic times to 1/2000: levels are counted in steps of 2^-11
 class SharedExposure {
  public:
   explicit SharedExposure(const Development& development);
@@ -93,8 +95,9 @@ class SharedExposure {
 
  private:
   Development development_;
-  std::vector<std::size_t> counts_;  ///< of luminances above 0, by their leading bits
+  std::vector<std::size_t> counts_;  ///< of brightest channels above 0, by their leading bits
   LitSums sums_;
+  double sky_cd_m2_ = 0;  ///< the brightest
 };
 
 /// Identifier of the colour transform of view and display, whatever their configuration is called.
@@ -125,11 +128,10 @@ texture::Image shown(const Development& development, double scale, const texture
 /// Developed picture of a frame [cd/m²]: channels R, G, B, 0 to 1. With a camera it is the camera's photograph, whose
 /// own files are written where asked for.
 ///
-/// A composite lays the longer exposure under the shorter one. Where x is a luminance in units of
+/// A composite lays the longer exposure under the shorter one. Where x is a colour's brightest channel in units of
 /// saturation, it becomes 0.7 x_shorter + 0.3 (1 - exp(-x_longer)), and a colour keeps its ratios: what
 /// is brighter comes out brighter. A camera takes the longer one of ground that is dimmed so: its sensor does
-/// not clip, at a quarter of the speed not even in red, and the glare of the sunlit part does not drown the
-/// shadow.
+/// not clip, and the glare of the sunlit part does not drown the shadow.
 texture::Image developed(const Development& development, const Exposures& exposures,
                          const Frame& frame);
 

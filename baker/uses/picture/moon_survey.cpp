@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/moon_survey.h"
 
+#include <utility>
+
 #include "texture/bake.h"
 #include "uses/light/spectral_bands.h"
 
 namespace coppermoon::uses {
 
 MoonSurvey::MoonSurvey(const MoonRequest& moon, const algebra::Grid<float>& albedo,
-                       const Moonlight& light)
+                       const Moonlight& light, Photometer meter)
     : photometry_(moon.photometry),
-      meter_(photometer()),
+      meter_(std::move(meter)),
       albedo_(albedo),
       ground_(ground_of(moon, albedo)),
       light_(light),

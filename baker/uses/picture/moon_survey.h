@@ -8,16 +8,19 @@
 
 namespace coppermoon::uses {
 
-/// Whole Moon of one eclipse, measured at any of its moments: above the air, from the Earth's centre.
+/// Whole Moon of one eclipse, measured at any of its moments: from the Earth's centre.
 class MoonSurvey {
  public:
   /// Given  albedo  normal, of as many rows as its textures get
   ///        light   on the Moon's way, for as long as the survey
-  MoonSurvey(const MoonRequest& moon, const algebra::Grid<float>& albedo, const Moonlight& light);
+  ///        meter   its channels
+  MoonSurvey(const MoonRequest& moon, const algebra::Grid<float>& albedo, const Moonlight& light,
+             Photometer meter = photometer());
 
-  /// Texture in the photometer's channels.
+  /// Texture in the meter's channels.
   texture::Image texture(const almanac::SkyState& sky) const;
 
+  /// Of a survey in the photometer's channels.
   DiscBrightness brightness(const almanac::SkyState& sky) const;
 
  private:

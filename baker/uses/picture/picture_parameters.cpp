@@ -132,8 +132,9 @@ void describe_sensor(Parameters& is, CameraRequest& camera) {
 }
 
 constexpr const char* time_meaning =
-    "exposure time [s], as 2 or 1/30; auto: exposes the brightest 1 % of the lit disc to 80 % of "
-    "saturation; follow: a weighted mean of the disc is exposed to 25 %, without a step in a film; "
+    "exposure time [s], as 2 or 1/30; auto: exposes the lit disc's brightest 1 %, in its brightest "
+    "channel, to 80 % of saturation; follow: a weighted mean of the disc is exposed to 25 %, "
+    "without a step in a film; "
     "composite: a short one for what is bright and a long one for the shadow, in one picture";
 
 }  // namespace

@@ -9,7 +9,7 @@ from . import values
 from .moon import first_known
 from .texture import header_of
 
-VIEWS = ("Un-tone-mapped", "Standard")  # without tone mapping: in our configuration, in Blender's
+VIEWS = ("Hue-preserving", "Un-tone-mapped", "Standard")  # in our configuration, in ACES', in Blender's
 MEAN = 0.25  # of the disc's strongest channel, after exposure: nothing clips
 
 

@@ -22,7 +22,7 @@ VIEWS = {"Un-tone-mapped": (ACES_2, "Un-tone-mapped"),
          "ACES 2.0 SDR 100 nits (Rec.709)": (ACES_2, "ACES 2.0 - SDR 100 nits (Rec.709)"),
          "ACES 2.0 SDR 100 nits (P3 D65)": (ACES_2, "ACES 2.0 - SDR 100 nits (P3 D65)"),
          "ACES 2.0 HDR 1000 nits (Rec.2020)": (ACES_2, "ACES 2.0 - HDR 1000 nits (Rec.2020)")}
-OUR_OWN = {"Filmic", "Log", "Raw"}
+OUR_OWN = {"Hue-preserving", "Filmic", "Log", "Raw"}
 
 # 17 stops of ACEScg in every mixture: the umbra's reds are among them.
 LEVELS = [0, 2.0**-12, 2.0**-8, 2.0**-5, 2.0**-3, 0.18, 0.5, 1, 4, 16]

@@ -26,15 +26,15 @@ export function brightness(picture, facts, sky, shadowed = true) {
 export const scaleOfOneSecond = (facts, {iso, fNumber}) => facts.exposureScale * iso / 100 / fNumber ** 2;
 
 /**
- * Exposure time [s] that follows the eclipse: with the air as it was, the cube of the mean cube root of luminance
- * comes to a quarter of saturation, as by uses::ExposureTime::Rule::follow. Another air so looks brighter or dimmer.
+ * Exposure time [s] that follows the eclipse: with the air as it was, the cube of the mean cube root of brightest
+ * channels comes to a quarter of saturation, as by uses::ExposureTime::Rule::follow. Another air so looks brighter or dimmer.
  */
 export function followedTime(picture, facts, sky, view, exposure) {
   const pixels = picture.read(sky, view, whole, {light: 'followed'});
   let roots = 0, count = 0;
   for (let i = 0; i < pixels.length; i += 4) {
-    const y = luminance(pixels, i);
-    if (y > 0) [roots, count] = [roots + Math.cbrt(y), count + 1];
+    const brightest = Math.max(pixels[i], pixels[i + 1], pixels[i + 2]);
+    if (brightest > 0) [roots, count] = [roots + Math.cbrt(brightest), count + 1];
   }
   if (count === 0) return 1;
   const time = 0.25 / (roots / count) ** 3 / scaleOfOneSecond(facts, exposure);

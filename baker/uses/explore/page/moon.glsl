@@ -147,7 +147,7 @@ void main() {
 }
 #else
 uniform float exposure;      // of 1 cd/m², over saturation
-uniform int look;            // 0: display sRGB, 1: a table, 2: stops
+uniform int look;            // 0: display sRGB, 1: a table, 2: stops, 3: hue kept
 uniform sampler3D view;
 uniform vec2 viewCode;       // gain, stops
 uniform float viewSize;
@@ -170,6 +170,15 @@ vec3 viewed(vec3 light) {
   return texture(view, (code * (viewSize - 1.0) + 0.5) / viewSize).rgb;
 }
 
+// The view Hue-preserving of colour/config.ocio: a shoulder for the brightest channel; what is burnt fades to white.
+vec3 hueKept(vec3 light) {
+  float most = max(light.r, max(light.g, light.b)), least = min(light.r, min(light.g, light.b));
+  float held = most < 0.8 ? most : 0.8 + 0.04 * log(1.0 + (most - 0.8) / 0.04);
+  float saturation = 1.0 - least / max(most, 1e-30);
+  float kept = max(0.0, 1.0 - 0.03 * (most - held) / max(saturation, 1e-6));
+  return min(held, 1.0) * (1.0 - kept * (1.0 - light / max(most, 1e-30)));
+}
+
 // Stops below a full Moon: a colour for every two, darker in the lower of them.
 vec3 stops(vec3 light) {
   float below = log2(fullMoon / max(dot(light, vec3(0.2126, 0.7152, 0.0722)), 1e-12));
@@ -185,7 +194,8 @@ void main() {
   float cover = clamp(inside / pixel + 0.5, 0.0, 1.0);
   if (cover <= 0.0) { colour = vec4(0.0, 0.0, 0.0, 1.0); return; }
   vec3 seen = max(radianceOf(ground).rgb, 0.0);
-  vec3 shown = look == 2 ? stops(seen) : look == 1 ? viewed(seen * exposure) : srgb(seen * exposure);
+  vec3 shown = look == 2 ? stops(seen) : look == 1 ? viewed(seen * exposure)
+    : srgb(look == 3 ? hueKept(seen * exposure) : seen * exposure);
   // the limb's cover weighs light as the screen shows it, so that a clipped limb has no stairs
   colour = vec4(srgb(linear(shown) * cover) + noise(gl_FragCoord.xy) / 255.0, 1.0);
 }

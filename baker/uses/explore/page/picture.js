@@ -148,7 +148,7 @@ export class Picture {
     gl.activeTexture(gl.TEXTURE3);
     gl.bindTexture(gl.TEXTURE_3D, table ?? this.noView);
     gl.uniform1i(at('view'), 3);
-    gl.uniform1i(at('look'), look.stops ? 2 : table ? 1 : 0);
+    gl.uniform1i(at('look'), look.stops ? 2 : table ? 1 : look.view === 'Hue-preserving' ? 3 : 0);
     gl.uniform1f(at('exposure'), look.exposure);
     gl.uniform2f(at('viewCode'), facts.viewTable.gain, facts.viewTable.stops);
     gl.uniform1f(at('viewSize'), facts.viewTable.size);

@@ -83,6 +83,47 @@ TEST(Circumstances, TheLimbStandsInTheHorizonAtRise) {
   EXPECT_TRUE(moment(night, "greatest").up);
 }
 
+/// With the shadow of that yearbook, larger by a fiftieth.
+double angle_deg(const char* day, const char* contact) {
+  const auto eclipse = *eclipse::eclipse_of_day(almanac::instant_from_utc(day),
+                                                eclipse::ShadowConvention::chauvenet);
+  const auto night = circumstances(eclipse, almanac::city_named("Nairobi")->place);
+  return algebra::in_degrees(moment(night, contact).position_angle.value());
+}
+
+TEST(Circumstances, ContactsAreAtPublishedAnglesOnTheLimb) {
+  // Astronomical Yearbook of the Institute of Applied Astronomy, St Petersburg: position angles of the umbra's first and
+  // last contact, and of the penumbra's where the eclipse is penumbral
+  const char* reason = "degrees: the shadow's radius to 4 arcseconds";
+  EXPECT_WITHIN(angle_deg("2011-06-15", "U1"), 92 + 15.2 / 60, 0.1, reason);
+  EXPECT_WITHIN(angle_deg("2011-06-15", "U4"), 261 + 15.5 / 60, 0.1, reason);
+  EXPECT_WITHIN(angle_deg("2015-04-04", "U1"), 133 + 45.7 / 60, 0.1, reason);
+  EXPECT_WITHIN(angle_deg("2005-04-24", "P1"), 71 + 52.4 / 60, 0.1, reason);
+  EXPECT_WITHIN(angle_deg("2005-04-24", "P4"), 338 + 51.6 / 60, 0.1, reason);
+  EXPECT_WITHIN(angle_deg("2016-03-23", "P1"), 154 + 22.1 / 60, 0.1, reason);
+  EXPECT_WITHIN(angle_deg("2016-03-23", "P4"), 241 + 10.1 / 60, 0.1, reason);
+  // of a central eclipse the limb that goes in last is opposite to the one that went in first
+  EXPECT_WITHIN(angle_deg("2011-06-15", "U2") - angle_deg("2011-06-15", "U1"), 180, 25,
+                "degrees: the Moon passes 0.1 of its diameter beside the axis");
+  EXPECT_FALSE(moment(at("2011-06-15", "Nairobi"), "greatest").position_angle.has_value());
+}
+
+TEST(Circumstances, TwilightIsNamedByTheSunsAltitude) {
+  const auto named = [](double degrees) { return twilight_name(algebra::degrees(degrees)); };
+  EXPECT_STREQ(named(-0.8), "day");
+  EXPECT_STREQ(named(-0.9), "civil twilight");
+  EXPECT_STREQ(named(-6.1), "nautical twilight");
+  EXPECT_STREQ(named(-12.1), "astronomical twilight");
+  EXPECT_STREQ(named(-18.1), "night");
+  // U.S. Naval Observatory: the Sun set in London on 27 July 2018 at 20:55 BST
+  auto london = almanac::city_named("London")->place;
+  EXPECT_WITHIN(
+      algebra::in_degrees(
+          moment_at(london, {}, almanac::sky_at(almanac::instant_from_utc("2018-07-27T19:55Z")))
+              .sun_altitude),
+      -0.833, 0.3, "degrees: two minutes of the Sun's way, a minute and a city's size");
+}
+
 TEST(Circumstances, AreSummedUpInASentence) {
   EXPECT_EQ(what_is_seen(at("2018-07-27", "Nairobi")), "All of the eclipse is seen.");
   EXPECT_EQ(what_is_seen(at("2018-07-27", "Chicago")),
@@ -98,16 +139,16 @@ almanac::Observer place(double latitude, double longitude) {
 TEST(Circumstances, OfAMoonUpBetweenContactsAreSeen) {
   const auto eclipse = eclipse_of("2018-07-27");
   const auto seen = [&](double latitude, double longitude) {
-    return contacts_seen(eclipse, place(latitude, longitude));
+    return contacts_seen(circumstances(eclipse, place(latitude, longitude)));
   };
   // Between P1 and P4 the Moon comes up and goes down again over the Barents Sea, and goes down and comes up
   // again over the Antarctic coast
   EXPECT_EQ(seen(70.65, 35), "U3 to U4");
   EXPECT_EQ(seen(71, 35), "between U3 and U4");
   EXPECT_EQ(seen(-70.6, -124), "P1 to U1 and U4 to P4");
-  EXPECT_EQ(contacts_seen(eclipse, almanac::city_named("Nairobi")->place), "all");
-  EXPECT_EQ(contacts_seen(eclipse, almanac::city_named("London")->place), "greatest to P4");
-  EXPECT_EQ(contacts_seen(eclipse, almanac::city_named("Chicago")->place), "none");
+  EXPECT_EQ(contacts_seen(at("2018-07-27", "Nairobi")), "all");
+  EXPECT_EQ(contacts_seen(at("2018-07-27", "London")), "greatest to P4");
+  EXPECT_EQ(contacts_seen(at("2018-07-27", "Chicago")), "none");
   for (const auto& [latitude, longitude] : {std::pair(70.65, 35.), std::pair(-70.6, -124.)})
     EXPECT_NE(what_is_seen(circumstances(eclipse, place(latitude, longitude))).find("The Moon "),
               std::string::npos)
@@ -236,23 +277,37 @@ std::string calendar_or_refusal(const Arguments&... arguments) {
   }
 }
 
+TEST(CalendarFile, BeginsWithMoonriseAndAnAlarmAnHourBefore) {
+  auto sea_level = almanac::city_named("London")->place;
+  sea_level.elevation = {};
+  const auto text =
+      as_calendar(circumstances(eclipse_of("2018-07-27"), sea_level), "London", made_then);
+  EXPECT_TRUE(values_of(text, "DTSTART").front().starts_with("20180727T1949"))
+      << "moonrise by the Naval Observatory's definition: 20:49 BST";
+  EXPECT_EQ(values_of(text, "TRIGGER"), std::vector<std::string>{"-PT1H"});
+  EXPECT_TRUE(values_of(as_calendar(at("2018-07-27", "Nairobi"), "Nairobi", made_then), "DTSTART")
+                  .front()
+                  .starts_with("20180727T1714"))
+      << "P1, Espenak: 17:14:49";
+  EXPECT_EQ(calendar_or_refusal(at("2018-07-27", "Chicago"), std::string("Chicago")),
+            "Chicago sees nothing of the eclipse: no event for a calendar");
+}
+
 TEST(CalendarFile, OfSomeEclipsesHasAnEventEach) {
-  const auto place = almanac::city_named("London")->place;
   const std::vector eclipses{eclipse_of("2018-01-31"), eclipse_of("2018-07-27")};
-  const auto seen = calendar_or_refusal(eclipses, std::optional(place), std::string("London"));
+  const std::vector nights{at("2018-01-31", "London"), at("2018-07-27", "London")};
+  const auto seen = calendar_or_refusal(nights, std::string("London"));
   const auto of_a_night = as_calendar(at("2018-07-27", "London"), "London", made_then);
-  ASSERT_EQ(values_of(seen, "UID").size(), 2U);
-  EXPECT_EQ(values_of(seen, "UID")[1], values_of(of_a_night, "UID")[0])
+  ASSERT_EQ(values_of(seen, "UID").size(), 1U) << "of January's London saw nothing";
+  EXPECT_EQ(values_of(seen, "UID")[0], values_of(of_a_night, "UID")[0])
       << "a night's file replaces the event of the list";
-  EXPECT_TRUE(values_of(seen, "DTEND")[1].starts_with("20180727T2328")) << "Espenak: 23:28:37";
-  const auto nowhere =
-      calendar_or_refusal(eclipses, std::optional<almanac::Observer>(), std::string());
+  EXPECT_TRUE(values_of(seen, "DTEND")[0].starts_with("20180727T2328")) << "Espenak: 23:28:37";
+  const auto nowhere = calendar_or_refusal(eclipses);
   EXPECT_EQ(values_of(nowhere, "UID")[1], "2018-07-27-eclipse@coppermoon");
   EXPECT_EQ(values_of(nowhere, "DESCRIPTION")[1],
             "Greatest at 20:21:45 UTC\\, umbral magnitude 1.61.");
   EXPECT_TRUE(values_of(nowhere, "LOCATION").empty());
-  EXPECT_EQ(calendar_or_refusal(std::vector<eclipse::Eclipse>(), std::optional(place),
-                                std::string("London")),
+  EXPECT_EQ(calendar_or_refusal(std::vector<eclipse::Eclipse>()),
             "no eclipse: a calendar has an event at least, allowed .csv or .json");
 }
 
@@ -262,9 +317,8 @@ TEST(CalendarFile, HasNoYearsBeforeTheFirst) {
   const auto night = circumstances(ancient, almanac::city_named("Baghdad")->place);
   EXPECT_EQ(calendar_or_refusal(night, std::string("Baghdad")),
             "eclipse of -0567-07-04: iCalendar has no years before 1, allowed .csv or .json");
-  EXPECT_EQ(
-      calendar_or_refusal(std::vector{ancient}, std::optional(night.place), std::string("Baghdad")),
-      calendar_or_refusal(night, std::string("Baghdad")));
+  EXPECT_EQ(calendar_or_refusal(std::vector{night}, std::string("Baghdad")),
+            calendar_or_refusal(night, std::string("Baghdad")));
   const auto contact = [&](const char* utc) {
     ancient.contacts.P1 = almanac::instant_from_utc(utc);
     return std::vector{ancient};

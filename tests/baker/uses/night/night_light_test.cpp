@@ -36,7 +36,7 @@ const NightLights& of_july_2018() {
 double exposure_of(const char* phase) {
   const auto& lights = of_july_2018();
   const auto found = std::ranges::find(lights.exposures, phase, &PhaseExposure::phase);
-  return *found->lit_s * lights.iso / (lights.f_number * lights.f_number);
+  return found->lit->time_s * lights.iso / (lights.f_number * lights.f_number);
 }
 
 double guided(double seconds, double f_number, double iso) {
@@ -94,24 +94,82 @@ TEST(NightLight, ProgressIsToldThroughoutDanjonsScale) {
   }
 }
 
-/// In April 2015 the Moon's limb was a hundred kilometres within the umbra: its edge is lit in air of any Danjon number,
-/// its middle not at all. In London it was noon.
-TEST(NightLight, HasNoTimeLongerThanTheEclipseAndNoStarByDay) {
-  const auto eclipse = *eclipse::eclipse_of_day(almanac::instant_from_utc("2015-04-04"),
-                                                eclipse::ShadowConvention::danjon);
-  const auto place = almanac::city_named("London")->place;
-  MoonRequest moon{.albedo_map = "built-in"};
+const PhaseExposure* phase_of(const NightLights& lights, const char* name) {
+  const auto found = std::ranges::find(lights.exposures, name, &PhaseExposure::phase);
+  return found == lights.exposures.end() ? nullptr : &*found;
+}
+
+NightLights lights_of(const char* day, const char* city, MoonRequest moon = {},
+                      ViewRequest view = {}, const Development& development = {}) {
+  const auto eclipse =
+      *eclipse::eclipse_of_day(almanac::instant_from_utc(day), eclipse::ShadowConvention::danjon);
+  view.observer = almanac::city_named(city)->place;
+  moon.albedo_map = "built-in";
   moon.light.wish.tolerance = 0.1;
+  return night_lights(circumstances(eclipse, *view.observer), moon, view, development, false);
+}
+
+/// In April 2015 the Moon's limb was a hundred kilometres within the umbra: its edge is lit in air of any Danjon number,
+/// its middle not at all.
+TEST(NightLight, HasNoTimeLongerThanTheEclipse) {
+  MoonRequest moon;
   moon.light.air.column.danjon = 0;
-  const auto lights =
-      night_lights(circumstances(eclipse, place), moon, {.observer = place}, {}, false);
-  const auto& middle = lights.exposures.back();
-  ASSERT_EQ(middle.phase, "middle of totality");
-  EXPECT_TRUE(middle.lit_s.has_value());
-  EXPECT_FALSE(middle.shadow_s.has_value());
-  EXPECT_TRUE(middle.too_dark);
+  Development pinhole;
+  pinhole.f_number = 512;
+  const auto lights = lights_of("2015-04-04", "Honolulu", moon, {}, pinhole);
+  const auto* middle = phase_of(lights, "middle of totality");
+  ASSERT_NE(middle, nullptr);
+  EXPECT_FALSE(middle->shadow.has_value());
+  EXPECT_TRUE(middle->too_dark);
   EXPECT_FALSE(lights.exposures.front().too_dark) << "a full Moon has no part in the umbra";
+}
+
+TEST(NightLight, HasNoStarByDayAndNoExposureOfAMoonBelowTheHorizon) {
+  const auto lights = lights_of("2015-04-04", "London");  // noon
   for (const auto& moment : lights.moments) EXPECT_FALSE(moment.faintest_star) << moment.name;
+  EXPECT_TRUE(lights.exposures.empty());
+  EXPECT_TRUE(lights.night.seen.empty());
+}
+
+/// 7 September 2025: the Moon rose eclipsed over Berlin in civil twilight, and set over Sydney after U4.
+TEST(NightLight, ExposesAMoonThatIsUpBeforeItsSky) {
+  const auto lights = lights_of("2025-09-07", "Berlin");
+  EXPECT_EQ(phase_of(lights, "full Moon, before P1"), nullptr) << "below the horizon";
+  const auto* leaving = phase_of(lights, "partial, half, leaving");
+  ASSERT_NE(leaving, nullptr) << "13 degrees high";
+  EXPECT_TRUE(leaving->lit && leaving->shadow);
+  const auto* middle = phase_of(lights, "middle of totality");
+  ASSERT_NE(middle, nullptr);
+  EXPECT_TRUE(middle->by_sky) << "the Sun is 5.5 degrees below the horizon";
+  EXPECT_LT(middle->lit ? middle->lit->time_s : 0, 10) << "the sky alone is at half of saturation";
+  const auto* late = phase_of(lights, "totality, just before U3");
+  ASSERT_TRUE(late != nullptr && late->lit);
+  EXPECT_LT(late->lit->least_s, late->lit->time_s) << "V is known to 0.27 mag";
+  EXPECT_GT(late->lit->most_s, late->lit->time_s);
+  for (std::size_t i = 1; i < lights.exposures.size(); ++i)
+    EXPECT_GE(almanac::seconds_between(lights.exposures[i - 1].when, lights.exposures[i].when), 0);
+  const auto first = std::ranges::find(lights.night.moments, "first seen", &NightMoment::name);
+  ASSERT_NE(first, lights.night.moments.end());
+  EXPECT_LT(algebra::in_degrees(first->sun_altitude), -4)
+      << "long after moonrise, with the Sun at 0";
+  EXPECT_GT(algebra::in_degrees(first->sun_altitude), -9) << "nautical twilight has begun";
+  EXPECT_EQ(contacts_seen(lights.night).substr(contacts_seen(lights.night).find("to")), "to P4");
+}
+
+TEST(NightLight, NoTimeIsLongerThanTrailingAllows) {
+  const auto lights = lights_of("2025-09-07", "Sydney", {}, {.focal_length_mm = 600});
+  const double longest = lights.trailing_s.value();
+  for (const auto& phase : lights.exposures)
+    for (const auto& part : {phase.lit, phase.shadow})
+      EXPECT_LE(part ? part->most_s : 0, longest * 1.000001) << phase.phase;
+  const auto* middle = phase_of(lights, "middle of totality");
+  ASSERT_TRUE(middle != nullptr && middle->lit);
+  EXPECT_GT(middle->lit->stops_under, 4) << "15 s is wanted, 0.2 s is had";
+}
+
+TEST(NightLight, TheAlmanacHasTheSameRule) {
+  const auto night = lights_of("2025-09-07", "Berlin").night;
+  EXPECT_EQ(contacts_seen(seen_circumstances(night.eclipse, night.place)), contacts_seen(night));
 }
 
 TEST(TrailingTime, IsThatOfTheSkysRotation) {

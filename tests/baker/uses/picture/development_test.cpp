@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/matrix.hpp>
+#include <iostream>
 
 #include "algebra/error.h"
 #include "colour/camera.h"
+#include "support/exposed.h"
 #include "support/within.h"
 #include "uses/picture/picture_parameters.h"
 
@@ -86,9 +89,9 @@ TEST(Composite, ShowsWhatIsBrighterBrighter) {
 TEST(Composite, IsOneExposureWhereAllIsAlike) {
   const auto frame = image_of(std::vector<std::array<float, 3>>(100, {3000, 3000, 3000}));
   const auto exposures = exposures_for(two_exposures(), frame, space);
-  EXPECT_EQ(exposures.shorter.time_s, *exposures.longer_s);
+  EXPECT_WITHIN_RELATIVE(*exposures.longer_s, exposures.shorter.time_s, 1e-12, "sums");
   const double value = linear(developed(two_exposures(), exposures, {frame, space}).values[0]);
-  EXPECT_WITHIN(value, 0.7 * 0.5 + 0.3 * (1 - std::exp(-0.5)), 1e-4,
+  EXPECT_WITHIN(value, 0.7 * 0.6 + 0.3 * (1 - std::exp(-0.6)), 1e-4,
                 "float pixels: level of the shorter exposure in both");
 }
 
@@ -115,8 +118,30 @@ TEST(Exposures, AreThoseOfTheMoonAlone) {
     SharedExposure shared(development);
     shared.add(starry, space, {.disc = disc});
     EXPECT_WITHIN_RELATIVE(shared.exposures().shorter.time_s, alone.shorter.time_s, 5e-4,
-                           "luminances are counted in steps of 2^-11");
+                           "levels are counted in steps of 2^-11");
   }
+}
+
+TEST(Exposures, AreOfTheBrightestChannelInAnySpace) {
+  std::vector<std::array<float, 3>> copper;
+  for (int i = 1; i <= 200; ++i) {
+    const auto light = 1e-3F * static_cast<float>(i);
+    copper.push_back({light, light / 8, light / 60});
+  }
+  const auto frame = image_of(copper);
+  const auto exposures = exposures_for({}, frame, space);
+  EXPECT_WITHIN_RELATIVE(0.199 * scale_of({}, exposures.shorter), 0.8, 1e-6,
+                         "floats: red of the brightest 1 %, though luminance is a third of it");
+  auto in_acescg = frame;
+  const auto matrix = colour::channels_from_xyz(colour::WorkingSpace::acescg) *
+                      glm::inverse(colour::channels_from_xyz(space));
+  for (std::size_t i = 0; i < copper.size(); ++i) {
+    const auto c = matrix * glm::dvec3(copper[i][0], copper[i][1], copper[i][2]);
+    for (std::size_t k = 0; k < 3; ++k)
+      in_acescg.values[3 * i + k] = static_cast<float>(c[static_cast<int>(k)]);
+  }
+  EXPECT_WITHIN_RELATIVE(exposures_for({}, in_acescg, colour::WorkingSpace::acescg).shorter.time_s,
+                         exposures.shorter.time_s, 1e-6, "floats");
 }
 
 Development through(const std::string& camera, ExposureTime::Rule rule) {
@@ -133,13 +158,75 @@ TEST(Exposures, CountTheSkyThatAFrameHolds) {
   EXPECT_WITHIN_RELATIVE(sky_over_moon(frame, space, seen), 300, 1e-6, "floats");
   for (const auto rule : {ExposureTime::Rule::automatic, ExposureTime::Rule::follow}) {
     const auto camera = through("400mm", rule);
-    const double level = rule == ExposureTime::Rule::automatic ? 0.8 : 0.25;
+    // auto shows a sky of a day no brighter than 0.4
+    const double level = rule == ExposureTime::Rule::automatic ? 0.4 * 602 / 600 : 0.25;
     const auto exposures = exposures_for(camera, frame, space, seen);
     EXPECT_WITHIN_RELATIVE(602 * scale_of(camera, exposures.shorter), level, 1e-6, "floats");
     SharedExposure shared(camera);
     shared.add(frame, space, seen);
     EXPECT_WITHIN_RELATIVE(shared.exposures().shorter.time_s, exposures.shorter.time_s, 5e-4,
-                           "luminances are counted in steps of 2^-11");
+                           "levels are counted in steps of 2^-11");
+  }
+}
+
+/// Frame of a Moon of which a share is sunlit and the rest copper, before and behind a blue sky [cd/m²].
+texture::Image moon_in_sky(const DiscOutline& disc, double sunlit, double umbra, double sky) {
+  texture::Image frame(32, 24, {"R", "G", "B"});
+  const double copper[] = {2.9, 0.5, 0.1}, sun[] = {1.2, 0.97, 0.7}, blue[] = {0.8, 1, 1.5};
+  for (std::size_t r = 0; r < frame.height; ++r)
+    for (std::size_t c = 0; c < frame.width; ++c) {
+      const double x = static_cast<double>(c) + 0.5, y = static_cast<double>(r) + 0.5;
+      const bool lit = (x - disc.x) / 8 > 1 - 2 * sunlit;
+      for (std::size_t k = 0; k < 3; ++k)
+        frame(r, c, k) = static_cast<float>(
+            sky * blue[k] +
+            covered_share(disc, x, y) * (lit ? 2000 * sun[k] * (1 + y / 48) : umbra * copper[k]));
+    }
+  return frame;
+}
+
+TEST(Exposures, ShowMoonAndSkyWithoutWhite) {
+  using enum ExposureTime::Rule;
+  const DiscOutline disc{16, 12, 1 / 64., 0, 1 / 64.};
+  double whitest = 0, plainest = 1;
+  for (const auto& [model, rule] :
+       {std::pair("", automatic), {"", composite}, {"400mm", composite}})
+    for (const double sky : {0., 3e-4, 3e-3, 0.03, 0.3, 3., 30., 300., 3000.})
+      for (const double umbra : {0.002, 0.02, 0.2})
+        for (const double sunlit : {0., 0.02, 0.1, 0.5, 1.}) {
+          if (*model && umbra != 0.02) continue;  // a photograph takes time
+          const auto frame = moon_in_sky(disc, sunlit, umbra, sky);
+          const SeenFrame seen{.pixel_rad = 1.8e-4, .sky_cd_m2 = sky, .disc = disc};
+          const auto development = through(model, rule);
+          const auto picture = developed(
+              development, exposures_for(development, frame, space, seen), {frame, space, seen});
+          const double allowed = testing_support::contrast_allowed(frame);
+          whitest = std::max(whitest, testing_support::white_share(picture));
+          EXPECT_LE(testing_support::white_share(picture), 0.02)
+              << model << ", sky " << sky << ", umbra " << umbra << ", sunlit " << sunlit;
+          if (allowed < 0.02) continue;  // a Moon that the sky outshines fiftyfold
+          plainest = std::min(plainest, testing_support::contrast(picture) / allowed);
+          EXPECT_GT(testing_support::contrast(picture), 0.2 * allowed)
+              << model << ", sky " << sky << ", umbra " << umbra << ", sunlit " << sunlit;
+        }
+  std::cout << "at most " << 100 * whitest << " % white; contrast at least " << plainest
+            << " of what the light allows\n";
+}
+
+TEST(Exposures, OfAHiddenMoonAreOfTheSkyAsItIs) {
+  const texture::Image black(8, 8, {"R", "G", "B"});
+  double before = 1;
+  for (const double sky : {1000., 10., 1., 0.1, 0.01, 3e-4}) {
+    const SeenFrame seen{.sky_cd_m2 = sky};
+    for (const auto rule : {ExposureTime::Rule::automatic, ExposureTime::Rule::composite}) {
+      const auto development = through("", rule);
+      const auto exposures = exposures_for(development, black, space, seen);
+      EXPECT_FALSE(exposures.longer_s);
+      const double level = sky * scale_of(development, exposures.shorter);
+      EXPECT_LE(level, before + 1e-9) << "a darker sky is shown darker";
+      EXPECT_WITHIN(level, 0.25, 0.15 + 1e-9, "0.1 of white at night, 0.4 of a day");
+      if (rule == ExposureTime::Rule::composite) before = level;
+    }
   }
 }
 

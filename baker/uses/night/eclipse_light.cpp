@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "uses/night/eclipse_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "atmosphere/eye_contrast.h"
+#include "colour/working_space.h"
+#include "texture/resize.h"
+#include "uses/light/photometric_bands.h"
+#include "uses/light/spectral_bands.h"
+#include "uses/picture/clear_sky.h"
+
+namespace coppermoon::uses {
+namespace {
+
+using almanac::Instant;
+
+constexpr double between_skies_s = 240, between_looks_s = 300;
+
+std::vector<almanac::SkyState> skies_of(const eclipse::Eclipse& eclipse) {
+  const double seconds = almanac::seconds_between(*eclipse.contacts.P1, *eclipse.contacts.P4);
+  std::vector<almanac::SkyState> skies;
+  for (double s = 0; s < seconds + between_skies_s; s += between_skies_s)
+    skies.push_back(almanac::sky_at(almanac::later(*eclipse.contacts.P1, s)));
+  return skies;
+}
+
+algebra::Grid<float> small_albedo(MoonRequest moon, std::size_t rows) {
+  moon.texture_width = 2 * rows;
+  return texture::resized(normal_albedo(moon), rows);
+}
+
+/// Spans of a property between two moments, whose edges are found to 10 s.
+template <class Property>
+std::vector<Span> spans_of(const Span& whole, const Property& holds) {
+  const double seconds = almanac::seconds_between(whole.first, whole.second);
+  const auto at = [&](double s) { return holds(almanac::later(whole.first, s)); };
+  std::vector<Span> spans;
+  bool before = false;
+  for (double s = 0; s < seconds + between_looks_s; s += between_looks_s) {
+    double to = std::min(s, seconds), from = std::max(0., s - between_looks_s);
+    const bool now = at(to);
+    if (now != before && s > 0)
+      while (to - from > 10) {
+        const double middle = (from + to) / 2;
+        (at(middle) == before ? from : to) = middle;
+      }
+    if (now && !before) spans.emplace_back(almanac::later(whole.first, to), whole.second);
+    if (!now && before) spans.back().second = almanac::later(whole.first, from);
+    before = now;
+  }
+  return spans;
+}
+
+/// Adds moments at which the Moon is first and last seen.
+void add_edges(Circumstances& night) {
+  const auto near = [&](const Instant& when) {
+    return std::ranges::any_of(night.moments, [&](const NightMoment& moment) {
+      return (moment.name.starts_with("moon") || moment.name == "P1" || moment.name == "P4") &&
+             std::abs(almanac::seconds_between(moment.when, when)) < 60;
+    });
+  };
+  std::vector<NightMoment> edges;
+  for (const auto& [first, last] : night.seen) {
+    if (!near(first)) edges.push_back(moment_at(night.place, "first seen", almanac::sky_at(first)));
+    if (!near(last)) edges.push_back(moment_at(night.place, "last seen", almanac::sky_at(last)));
+  }
+  night.moments.insert(night.moments.end(), edges.begin(), edges.end());
+  std::ranges::stable_sort(night.moments, [](const auto& a, const auto& b) {
+    return almanac::seconds_between(a.when, b.when) > 0;
+  });
+}
+
+}  // namespace
+
+EclipseLight::EclipseLight(const eclipse::Eclipse& eclipse, const MoonRequest& moon,
+                           const algebra::Progress& progress, std::size_t rows)
+    : moon_(moon),
+      albedo_(small_albedo(moon, rows)),
+      light_(light_on_the_way(moon.light, moon_on_its_way(moon.light, skies_of(eclipse)),
+                              {.error_told = false}, progress)),
+      survey_(moon, albedo_, light_) {}
+
+texture::Image colours_of(const MoonRequest& moon, const algebra::Grid<float>& albedo,
+                          const Moonlight& light, const almanac::SkyState& sky,
+                          const std::optional<atmosphere::Sightline>& through) {
+  const auto response =
+      colour::channel_weights(colour::WorkingSpace::linear_rec709, band_edges_nm());
+  return MoonSurvey(moon, albedo, light,
+                    {{"R", "G", "B"}, moonlight_weights(response, through), {}})
+      .texture(sky);
+}
+
+MoonAndSky moon_and_sky(const DiscBrightness& above, const almanac::SkyState& sky,
+                        const ViewRequest& view) {
+  constexpr auto most_sensitive = algebra::nanometres(555);
+  const auto& place = *view.observer;
+  const auto air = air_over(place, view);
+  const auto seen = almanac::view_from(place, sky);
+  const auto apparent = apparent_place(place, sky);
+  const double
+      V = above.magnitudes[V_band],
+      radius = std::asin(almanac::lunar_radius / seen.moon_distance),
+      through = view.reddening
+                    ? atmosphere::transmittance_above(
+                          air, std::max(seen.altitude, algebra::degrees(-1)), most_sensitive)
+                    : 1,
+      behind =
+          ClearSky(place, sky, air, V).towards(in_sky(apparent.altitude, apparent.azimuth)).sum();
+  return {V, above.mean_luminance_cd_m2, above.mean_luminance_cd_m2 * through, behind,
+          atmosphere::contrast_threshold(behind, std::numbers::pi * radius * radius)};
+}
+
+Circumstances as_seen(Circumstances night, const BrightnessAt& brightness,
+                      const ViewRequest& view) {
+  night.seen.clear();
+  for (const auto& up : night.up)
+    for (const auto& span : spans_of(up, [&](const Instant& when) {
+           const auto sky = almanac::sky_at(when);
+           return moon_and_sky(brightness(sky), sky, view).stands_out();
+         }))
+      night.seen.push_back(span);
+  add_edges(night);
+  return night;
+}
+
+Circumstances seen_circumstances(const eclipse::Eclipse& eclipse, const almanac::Observer& place) {
+  constexpr std::size_t few_rows = 60;
+  std::optional<EclipseLight> light;
+  const auto brightness = [&](const almanac::SkyState& sky) -> DiscBrightness {
+    const auto then = moment_at(place, {}, sky);
+    if (algebra::in_degrees(then.moon.altitude) > 12 &&
+        algebra::in_degrees(then.sun_altitude) < -14)
+      return {std::vector(photometric_bands().size(), 0.), 1., 0.};  // brighter than any such sky
+    MoonRequest moon;
+    moon.light.wish.tolerance = 0.05;
+    if (!light) light.emplace(eclipse, moon, algebra::Progress(), few_rows);
+    return light->brightness(sky);
+  };
+  return as_seen(circumstances(eclipse, place), brightness, {.observer = place});
+}
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "uses/night/circumstances.h"
+#include "uses/picture/moon_survey.h"
+#include "uses/picture/view.h"
+
+namespace coppermoon::uses {
+
+/// Texture of a Moon in linear Rec.709 [cd/m²], through an observer's air where it is given.
+texture::Image colours_of(const MoonRequest& moon, const algebra::Grid<float>& albedo,
+                          const Moonlight& light, const almanac::SkyState& sky,
+                          const std::optional<atmosphere::Sightline>& through);
+
+/// Moon throughout an eclipse, from one simulation.
+class EclipseLight {
+ public:
+  /// Given   rows   of its textures
+  /// Throws  Error  as light_on_the_way, normal_albedo
+  EclipseLight(const eclipse::Eclipse& eclipse, const MoonRequest& moon,
+               const algebra::Progress& progress = {}, std::size_t rows = 180);
+
+  const algebra::Grid<float>& albedo() const { return albedo_; }
+  DiscBrightness brightness(const almanac::SkyState& sky) const { return survey_.brightness(sky); }
+
+  texture::Image colours(const almanac::SkyState& sky,
+                         const std::optional<atmosphere::Sightline>& through) const {
+    return colours_of(moon_, albedo_, light_, sky, through);
+  }
+
+ private:
+  MoonRequest moon_;
+  algebra::Grid<float> albedo_;
+  Moonlight light_;
+  MoonSurvey survey_;
+};
+
+/// Moon before its sky, as a place sees both.
+struct MoonAndSky {
+  double V_magnitude, mean_luminance_cd_m2;  ///< of the disc, above the air
+  double seen_cd_m2;                         ///< of the disc, through the air, without the sky's
+  double sky_cd_m2;                          ///< before and behind it
+  double contrast_threshold;                 ///< of the eye
+
+  bool stands_out() const { return seen_cd_m2 > contrast_threshold * sky_cd_m2; }
+};
+
+/// Given  view  for its observer, who is needed, and the air
+MoonAndSky moon_and_sky(const DiscBrightness& above, const almanac::SkyState& sky,
+                        const ViewRequest& view);
+
+/// Brightness of the whole Moon at a moment, above the air.
+using BrightnessAt = std::function<DiscBrightness(const almanac::SkyState&)>;
+
+/// Night with the times in which the Moon is seen: up, and brighter than its sky by more than the eye's threshold of
+/// contrast (atmosphere/eye_contrast.h) for a uniform disc of its mean luminance. Moments "first seen" and "last seen" are
+/// added where they are neither moonrise, moonset, P1 nor P4.
+///
+/// Accuracy  10 s of the rule. The threshold and the sky's light are each known to some tenths, which is 2 to 5 min of
+///           twilight
+Circumstances as_seen(Circumstances night, const BrightnessAt& brightness, const ViewRequest& view);
+
+/// The same in usual air, with light that is computed where it may matter: in a dark sky, well above the horizon, an
+/// eclipsed Moon stands out.
+Circumstances seen_circumstances(const eclipse::Eclipse& eclipse, const almanac::Observer& place);
+
+}  // namespace coppermoon::uses
