@@ -36,15 +36,20 @@ struct Measurable {
   const ViewRequest& view;
   Moonlight light;
   algebra::Grid<float> albedo;
+  bool on_its_way = false;  ///< the light is that of a whole eclipse
   std::shared_ptr<const surface::Ground> ground = ground_of(moon, albedo);
 
   texture::Image in(const Photometer& meter, const almanac::SkyState& sky) const {
     const auto weights =
         ground ? reddest_and_bluest(meter.weights, band_centres_nm()) : meter.weights;
-    const bool sunlit = !moon.unshadowed && !range_at(light, sky);
-    return texture::bake(
-        {albedo, sky, sunlit ? shadow::Lookup(weights) : light.in_channels(weights), ground.get()},
-        meter.channels, albedo.rows(), moon.photometry);
+    const auto lookup = [&] {
+      if (!on_its_way) return light.in_channels(weights);
+      const auto within = range_at(light, sky);
+      return within ? light.in_sums(at_wavelengths(weights, light.plan.work.bands), *within)
+                    : shadow::Lookup(weights);
+    };
+    return texture::bake({albedo, sky, lookup(), ground.get()}, meter.channels, albedo.rows(),
+                         moon.photometry);
   }
 
   MoonBrightness at(const almanac::SkyState& sky) const;
@@ -137,7 +142,7 @@ LightCurve light_curve(const MoonRequest& moon, const std::vector<almanac::Insta
                                   ? unshadowed_light(moon.light, skies.front())
                                   : light_on_the_way(moon.light, moon_on_its_way(moon.light, skies),
                                                      {.error_told = false}, progress),
-                              texture::resized(normal_albedo(moon), rows)};
+                              texture::resized(normal_albedo(moon), rows), !moon.unshadowed};
   std::vector<MoonBrightness> all(moments.size());
   tbb::parallel_for(std::size_t{0}, moments.size(),
                     [&](std::size_t i) { all[i] = measurable.at(almanac::sky_at(moments[i])); });

@@ -60,9 +60,10 @@ Plot plot_of(const LightCurve& curve, const eclipse::Eclipse& eclipse, const std
         {rows_of(curve, eclipse, numbers),
          fmt::format("lines lw 2 lc rgb '{}'{}", of_band ? colours.at(band) : "#333333",
                      seen ? " dashtype 2" : ""),
-         of_band ? (seen ? "" : band) : (seen ? "through the air of " + place : "above the air")});
+         of_band ? (seen ? "" : band) : (seen ? "through the air" : "above the air")});
   }
-  plot.key = "bottom left";
+  if (!place.empty()) plot.title += ", from " + place;
+  plot.key = "bottom left Left reverse";
   return plot;
 }
 
