@@ -263,7 +263,8 @@ void add_brightness(CLI::App& program) {
   add_flag(*verb, "--to", options->to,
            "last moment of a light curve, a time or a contact, as P4, or moonset; default: P4 "
            "where --from is given");
-  add_flag(*verb, "--step", options->step_min, "minutes between its moments, 0.01 to 1440")
+  add_flag(*verb, "--step", options->step_min,
+           "minutes between the moments of a light curve, 0.01 to 1440")
       .within(0.01, 1440)
       .only_with({{"from"}, {"to"}});
   add_outputs(*verb, options->outputs, writers());
