@@ -27,14 +27,15 @@ export const scaleOfOneSecond = (facts, {iso, fNumber}) => facts.exposureScale *
 
 /**
  * Exposure time [s] that follows the eclipse: with the air as it was, the cube of the mean cube root of luminance
- * comes to a quarter of saturation, as by uses::ExposureTime::Rule::follow. Another air so looks brighter or dimmer.
+ * comes to a quarter of saturation, as by uses::ExposureTime::Rule::follow, the light of the sky around it counted.
+ * Another air so looks brighter or dimmer.
  */
-export function followedTime(picture, facts, sky, view, exposure) {
+export function followedTime(picture, facts, sky, view, exposure, around = [0, 0, 0]) {
   const pixels = picture.read(sky, view, whole, {light: 'followed'});
   let roots = 0, count = 0;
   for (let i = 0; i < pixels.length; i += 4) {
     const y = luminance(pixels, i);
-    if (y > 0) [roots, count] = [roots + Math.cbrt(y), count + 1];
+    if (y > 0) [roots, count] = [roots + Math.cbrt(y + luminance(around)), count + 1];
   }
   if (count === 0) return 1;
   const time = 0.25 / (roots / count) ** 3 / scaleOfOneSecond(facts, exposure);
