@@ -8,9 +8,9 @@ const samples = 96;  // across the picture that is measured
 const whole = {middle: [0, 0], pixel: 2.04 / samples, width: samples, height: samples};
 
 /** V magnitude and mean luminance [cd/m²] above the air, from the Earth's centre. */
-export function brightness(picture, facts, sky, shadowed = true) {
+export function brightness(picture, facts, sky, shadowed = true, table = 'above') {
   const view = viewFrom(sky, null, 'north');
-  const pixels = picture.read(sky, view, whole, {shadowed, light: 'above'});
+  const pixels = picture.read(sky, view, whole, {shadowed, light: table});
   let radiance = 0, light = 0, count = 0;
   for (let i = 0; i < pixels.length; i += 4) {
     if (pixels[i + 1] > 0) ++count;

@@ -111,10 +111,12 @@ export class Page {
     const {state, facts, picture} = this, scene = this.scene(), {sky, view, frame} = scene;
     this.setSeen(view);
     this.whole = brightness(picture, facts, sky);
-    this.around = this.skyIsSeen(view) ? skyAround(facts, this.arrays, view, state.place.elevationKm ?? 0, this.whole.V)
-      : [0, 0, 0];
+    const around = ({V}) => (this.skyIsSeen(view)
+      ? skyAround(facts, this.arrays, view, state.place.elevationKm ?? 0, V) : [0, 0, 0]);
+    this.around = around(this.whole);
+    picture.setLight('asItWas', this.asItWas.above, this.shadow);
     this.seconds = state.exposure.rule === 'fixed' ? state.exposure.time
-      : followedTime(picture, facts, sky, view, state.exposure, this.around);
+      : followedTime(picture, facts, sky, view, state.exposure, around(brightness(picture, facts, sky, true, 'asItWas')));
     const exposure = this.seconds * scaleOfOneSecond(facts, state.exposure);
     picture.draw(sky, view, frame, {exposure, view: state.look, stops: state.look === 'stops', fullMoon: this.fullMoon,
       around: this.around});
