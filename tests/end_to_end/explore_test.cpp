@@ -456,6 +456,31 @@ TEST_F(Explore, MagnitudesAreThoseOfBrightness) {
   }
 }
 
+const Asked light_of_the_sky(
+    page_2018,
+    "page.set({place: {latitude: 52.52, longitude: 13.41, elevationKm: 0, name: '', timeZone: "
+    "''}});\n"
+    "const said = ['19:00', '19:30', '20:00', '22:00'].map((time) => {\n"
+    "  page.set({ms: Date.parse(`2018-07-27T${time}:00Z`)}); page.draw(); return page.around; });\n"
+    "page.set({reddening: false}); page.draw(); said.push(page.around);\n"
+    "page.set({reddening: true, ms: Date.parse('2018-07-27T18:30:00Z')}); page.draw();\n"
+    "return [...said, page.around];");
+
+TEST_F(Explore, SkyIsTheClearSkyAroundTheMoon) {
+  const auto said = light_of_the_sky.answer();
+  const auto outcome =
+      coppermoon({"brightness", "2018-07-27", "--from", "2018-07-27T19:00Z", "--to",
+                  "2018-07-27T22:00Z", "--step", "30", "--at", "52.52,13.41", "--json"});
+  const auto moments = json::parse(outcome.out)["moments"];
+  for (const auto& [i, moment] : {std::pair{0, 0}, {1, 1}, {2, 2}, {3, 6}})
+    EXPECT_WITHIN_RELATIVE(luminance(said[i][0], said[i][1], said[i][2]),
+                           moments[moment]["sky_cd_m2"].get<double>(), 0.05,
+                           "the Moon's 0.02 mag; nodes half a degree of the Sun apart: 0.02");
+  EXPECT_GT(said[0][2], said[0][0]) << "blue at dusk";
+  for (const int none : {4, 5})  // the observer's air is taken away; below the horizon
+    EXPECT_EQ(said[none], json({0, 0, 0}));
+}
+
 const Asked controls(
     page_2018,
     "const fields = () => Object.fromEntries(Object.entries(page.state).map(([name, value]) => "

@@ -184,7 +184,32 @@ TEST_F(Json, BrightnessHasMagnitudesLuminanceAndDanjon) {
   EXPECT_EQ(
       calendar.err,
       "coppermoon: --output: night and almanac write calendars (.ics); brightness writes .csv "
-      "(table), .json (JSON document)\n");
+      "(table), .json (JSON document), .png (plot of a light curve), .svg (plot of a light curve), "
+      ".pdf (plot of a light curve)\n");
+}
+
+TEST_F(Json, BrightnessOverTimeIsOneRowAMoment) {
+  const auto all =
+      said({"brightness", "2008-02-21", "--from", "U2-10min", "--to",   "U2+10min",     "--step",
+            "10",         "--rays",     "50",     "--bands",  "4",      "--albedo-map", "built-in",
+            "--at",       "Chicago",    "--zone", "local",    "--json", "-o",           "v.json",
+            "-o",         "v.csv",      "-o",     "v.svg"});
+  const auto& moments = all["moments"];
+  ASSERT_EQ(moments.size(), 3U);
+  EXPECT_EQ(json::parse(text_of(here("v.json")))["moments"], moments);
+  const auto rows = csv_rows(text_of(here("v.csv")));
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[2].at("instant"), moments[2]["instant"]);
+  EXPECT_EQ(rows[2].at("local").substr(0, 14), "2008-02-20T21:");  // six hours behind UTC
+  EXPECT_EQ(std::stod(rows[2].at("seen_V_magnitude")), moments[2]["seen_V_magnitude"]);
+  EXPECT_EQ(rows[0].at("V_error"), "") << "not total yet";
+  EXPECT_LT(moments[0]["V_magnitude"], moments[2]["V_magnitude"]);
+  EXPECT_NE(text_of(here("v.svg")).find(">U2<"), std::string::npos);
+  const auto plot = coppermoon({"brightness", "2008-02-21", "-o", "one.png"});
+  EXPECT_EQ(plot.status, 2);
+  EXPECT_EQ(plot.err,
+            "coppermoon: --output: a plot (.png) shows a light curve, allowed with --from or "
+            "--to\n");
 }
 
 TEST_F(JsonThoroughly, BrightnessOfTheFullMoonIsTheBooks) {

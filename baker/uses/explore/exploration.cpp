@@ -9,12 +9,14 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <set>
 #include <span>
 #include <vector>
 
 #include "algebra/error.h"
 #include "almanac/gazetteer.h"
+#include "atmosphere/astronomical_refraction.h"
 #include "colour/display.h"
 #include "colour/exposure.h"
 #include "eclipse/shadow_axis.h"
@@ -29,6 +31,7 @@
 #include "uses/light/photometer.h"
 #include "uses/light/photometric_bands.h"
 #include "uses/light/spectral_bands.h"
+#include "uses/picture/clear_sky.h"
 #include "uses/picture/local_time.h"
 #include "uses/picture/view.h"
 
@@ -177,6 +180,61 @@ void add_observer_air(PageArrays& arrays, const std::vector<double>& wavelengths
   arrays.add("observer.depths", {depths.rows(), depths.columns()}, numbers_of(depths));
 }
 
+/// Adds logarithms to the base 2 of the light of the clear sky around the Moon [cd/m²], linear Rec.709, at two
+/// elevations: without moonlight by the Sun's altitude and by how far the Moon stands above the antisolar point; of the
+/// air alone in a dark night, and of moonlight in it, by the root of the Moon's altitude. All altitudes are true.
+///
+/// Returned  first nodes and steps [degrees]
+ordered_json add_sky(PageArrays& arrays, almanac::SkyState sky) {
+  constexpr std::array elevations_km{0., 4.};
+  constexpr std::size_t sun_nodes = 45, beside_nodes = 5, up_nodes = 20;
+  constexpr double lowest_sun = -20, sun_step = 0.5, lowest_beside = -2.5, beside_step = 1.25,
+                   up_step = 0.5, moon_V = -12.7;
+  std::vector<double> dark, airglow, moonlit;
+  const auto add = [](std::vector<double>& logs, const Rgb& light, const Rgb& without = {}) {
+    for (std::size_t k = 0; k < light.size(); ++k)
+      logs.push_back(std::log2(std::max(1e-9, light[k] - without[k])));
+  };
+  for (const double km : elevations_km) {
+    const almanac::Observer place{{}, {}, algebra::kilometres(km)};
+    const auto stand = almanac::view_from(place, sky);
+    const auto air = air_over(place, {});
+    // the Sun in the north, the Moon in the south
+    const auto sky_over = [&](double sun_deg, double moon_deg, double V) {
+      const auto put = [&](double distance_m, double altitude_deg, double to_north) {
+        const double altitude = algebra::in_radians(algebra::degrees(altitude_deg));
+        return stand.position_m + distance_m * (std::cos(altitude) * to_north * stand.north +
+                                                std::sin(altitude) * stand.zenith);
+      };
+      sky.sun_m = put(almanac::astronomical_unit_m, sun_deg, 1);
+      sky.moon_m = put(384.4e6, moon_deg, -1);
+      const auto seen = atmosphere::apparent_altitude(algebra::degrees(moon_deg));
+      return ClearSky(place, sky, air, V).light(in_sky(seen, algebra::degrees(180)));
+    };
+    constexpr double none = std::numeric_limits<double>::infinity(), night = -40;
+    for (std::size_t i = 0; i < sun_nodes; ++i)
+      for (std::size_t j = 0; j < beside_nodes; ++j) {
+        const double sun = lowest_sun + sun_step * double(i);
+        add(dark, sky_over(sun, lowest_beside + beside_step * double(j) - sun, none));
+      }
+    for (std::size_t i = 0; i < up_nodes; ++i) {
+      const double moon = std::min(90., up_step * up_step * double(i * i));
+      const auto without = sky_over(night, moon, none);
+      add(airglow, without);
+      add(moonlit, sky_over(night, moon, moon_V), without);
+    }
+  }
+  const auto places = elevations_km.size();
+  arrays.add("sky.dark", {places, sun_nodes, beside_nodes, 3}, dark);
+  arrays.add("sky.airglow", {places, up_nodes, 3}, airglow);
+  arrays.add("sky.moonlit", {places, up_nodes, 3}, moonlit);
+  return {{"elevations", elevations_km},
+          {"sun", {lowest_sun, sun_step}},
+          {"beside", {lowest_beside, beside_step}},
+          {"up", {0, up_step}},
+          {"moonV", moon_V}};
+}
+
 /// Axis of a view's table: even steps of log2(1 + gain x) / stops, from 0 to 1.
 constexpr int table_size = 33;
 constexpr double table_gain = 1024, table_stops = 17;
@@ -306,6 +364,7 @@ Exploration exploration_of(const eclipse::Eclipse& eclipse, const ExploreRequest
   arrays.append(scattered);
   const auto sun = add_sunlight(arrays, arrangement.limb_darkening, wavelengths);
   add_observer_air(arrays, wavelengths);
+  const auto sky_nodes = add_sky(arrays, sky);
   const auto views = views_shown();
   for (const auto& view : views)
     if (view != "Un-tone-mapped" && view != "Hue-preserving") add_view(arrays, view);
@@ -337,6 +396,7 @@ Exploration exploration_of(const eclipse::Eclipse& eclipse, const ExploreRequest
                 {"exposureScale", colour::exposure_scale({1, 1, 100})},
                 {"views", views},
                 {"viewTable", {{"size", table_size}, {"gain", table_gain}, {"stops", table_stops}}},
+                {"sky", sky_nodes},
                 {"place", place_of(request)},
                 {"reddening", ViewRequest{}.reddening},
                 {"options", request.options}};

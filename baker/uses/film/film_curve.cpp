@@ -11,6 +11,7 @@
 #include "files/whole_file.h"
 #include "texture/resize.h"
 #include "uses/light/photometric_bands.h"
+#include "uses/picture/curve_plot.h"
 #include "uses/picture/moon_survey.h"
 #include "uses/plot/plot.h"
 
@@ -21,10 +22,6 @@ using Curve = std::vector<CurvePoint>;
 
 constexpr std::size_t rows = 180;  ///< of the textures that are measured
 
-double hours(const eclipse::Eclipse& eclipse, const almanac::Instant& when) {
-  return almanac::seconds_between(eclipse.greatest, when) / 3600;
-}
-
 /// Number as text; empty where it is not finite.
 std::string number(double value, int decimals) {
   return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "";
@@ -33,44 +30,29 @@ std::string number(double value, int decimals) {
 std::string as_csv(const eclipse::Eclipse& eclipse, const Curve& curve) {
   std::string text = "frame,instant,hours_from_greatest,V_magnitude,mean_luminance_cd_m2\n";
   for (const auto& point : curve)
-    text += fmt::format(
-        "{},{},{:.6f},{},{:.6g}\n", point.frame, almanac::utc_text(point.when, eclipse.calendar, 3),
-        hours(eclipse, point.when), number(point.V_magnitude, 4), point.mean_luminance_cd_m2);
+    text += fmt::format("{},{},{:.6f},{},{:.6g}\n", point.frame,
+                        almanac::utc_text(point.when, eclipse.calendar, 3),
+                        hours_from_greatest(eclipse, point.when), number(point.V_magnitude, 4),
+                        point.mean_luminance_cd_m2);
   return text;
-}
-
-/// Contacts between two hours.
-std::vector<PlotMark> contact_marks(const eclipse::Eclipse& eclipse, double from, double to) {
-  std::vector<PlotMark> marks;
-  for (const auto& [name, when] : contacts_of(eclipse))
-    if (const double at = hours(eclipse, when); at >= from && at <= to)
-      marks.push_back({PlotMark::instant, at, name});
-  return marks;
 }
 
 /// Curve in one panel: hours against a column.
 PlotCurve drawn(const eclipse::Eclipse& eclipse, const Curve& curve, double CurvePoint::*column) {
   std::string data;
   for (const auto& point : curve)
-    data += fmt::format("{:.6f},{}\n", hours(eclipse, point.when), number(point.*column, 6));
+    data += fmt::format("{:.6f},{}\n", hours_from_greatest(eclipse, point.when),
+                        number(point.*column, 6));
   return {data, "linespoints pt 7 ps 0.4 lw 2 lc rgb '#b0432b'"};
 }
 
 Plot plot_of(const eclipse::Eclipse& eclipse, const Curve& curve) {
-  const double first = hours(eclipse, curve.front().when), last = hours(eclipse, curve.back().when),
-               margin = std::max(1e-3, (last - first) / 50), from = first - margin,
-               to = last + margin;
-  return {.title = title(eclipse),
-          .title_size = 15,
-          .width = 1100,
-          .height = 760,
-          .x = {.label = "hours from greatest eclipse", .range = {{from, to}}},
-          .panels = {{{.label = "V magnitude", .reversed = true},
-                      {drawn(eclipse, curve, &CurvePoint::V_magnitude)}},
-                     {{.label = "mean luminance of the disc [cd/m^2]", .logarithmic = true},
-                      {drawn(eclipse, curve, &CurvePoint::mean_luminance_cd_m2)}}},
-          .marks = contact_marks(eclipse, from, to),
-          .grid = "lt 1 lc rgb '#eeeeee'"};
+  auto plot = plot_over(eclipse, curve.front().when, curve.back().when);
+  plot.panels = {{{.label = "V magnitude", .reversed = true},
+                  {drawn(eclipse, curve, &CurvePoint::V_magnitude)}},
+                 {{.label = "mean luminance of the disc [cd/m^2]", .logarithmic = true},
+                  {drawn(eclipse, curve, &CurvePoint::mean_luminance_cd_m2)}}};
+  return plot;
 }
 
 }  // namespace

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <vector>
 
 #include "algebra/error.h"
 #include "files/folder_lock.h"
@@ -17,16 +15,10 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Skies along the Moon's path, at most three minutes apart: the path leaves a chord by 0.1 km.
-std::vector<almanac::SkyState> skies_of(const Moments& moments) {
-  constexpr double apart_s = 180;
-  const auto& first = moments.frames.front();
-  const double seconds = almanac::seconds_between(first, moments.frames.back());
-  const int intervals = std::max(1, static_cast<int>(std::ceil(seconds / apart_s)));
-  std::vector<almanac::SkyState> skies;
-  for (int i = 0; i <= intervals; ++i)
-    skies.push_back(almanac::sky_at(almanac::later(first, seconds * i / intervals)));
-  return skies;
+/// Moon on its way through the film.
+ShadowedMoon moon_of(const Film& film, const LightRequest& request) {
+  const auto& frames = film.moments.frames;
+  return moon_on_its_way(request, skies_between(frames.front(), frames.back()));
 }
 
 std::string key_of(const Film& film) {
@@ -77,7 +69,7 @@ std::optional<Moonlight> kept_on_the_way(const Film& film, const ShadowedMoon& m
 }  // namespace
 
 FilmLight film_light(const Film& film, bool replace, const algebra::Progress& progress) {
-  const auto moon = moon_on_its_way(film.moon.light, skies_of(film.moments));
+  const auto moon = moon_of(film, film.moon.light);
   const files::FolderLock alone(film.folder);
   if (auto kept = kept_on_the_way(film, moon, replace)) return {std::move(*kept), true};
   auto light =
@@ -87,7 +79,7 @@ FilmLight film_light(const Film& film, bool replace, const algebra::Progress& pr
 }
 
 std::optional<Moonlight> kept_light(const Film& film, bool replace) {
-  return kept_on_the_way(film, moon_on_its_way(film.moon.light, skies_of(film.moments)), replace);
+  return kept_on_the_way(film, moon_of(film, film.moon.light), replace);
 }
 
 std::filesystem::path sums_file(const Film& film, const Shard& shard) {
@@ -104,7 +96,7 @@ void trace_shard(const Film& film, const Shard& shard, const algebra::Progress& 
   request.photon_files.shard = shard;
   request.photon_files.keep = sums_file(film, shard);
   files::require_no_link(request.photon_files.keep);
-  light_on_the_way(request, moon_on_its_way(request, skies_of(film.moments)), {}, progress);
+  light_on_the_way(request, moon_of(film, request), {}, progress);
 }
 
 }  // namespace coppermoon::uses

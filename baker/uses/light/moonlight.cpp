@@ -324,6 +324,17 @@ bool wants_photons(const LightRequest& request) {
          (request.solver == Solver::automatic && request.photons);
 }
 
+std::vector<almanac::SkyState> skies_between(const almanac::Instant& from,
+                                             const almanac::Instant& to) {
+  constexpr double apart_s = 180;
+  const double seconds = almanac::seconds_between(from, to);
+  const int intervals = std::max(1, static_cast<int>(std::ceil(seconds / apart_s)));
+  std::vector<almanac::SkyState> skies;
+  for (int i = 0; i <= intervals; ++i)
+    skies.push_back(almanac::sky_at(almanac::later(from, seconds * i / intervals)));
+  return skies;
+}
+
 ShadowedMoon moon_on_its_way(const LightRequest& request,
                              std::span<const almanac::SkyState> skies) {
   require_sound(request);

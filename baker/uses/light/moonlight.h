@@ -131,6 +131,10 @@ plan::Plan planned_light(const LightRequest& request, const almanac::SkyState& s
 /// Whether photons make the light: they are the solver, or their number is given.
 bool wants_photons(const LightRequest& request);
 
+/// Skies along the Moon's path, at most three minutes apart: the path leaves a chord by 0.1 km.
+std::vector<almanac::SkyState> skies_between(const almanac::Instant& from,
+                                             const almanac::Instant& to);
+
 /// Moon on its path through the shadow.
 ///
 /// Given   skies  in order of time, at most a few minutes apart

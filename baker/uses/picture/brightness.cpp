@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/brightness.h"
 
-#include <cmath>
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
+#include <cmath>
+#include <limits>
+
+#include "algebra/error.h"
 #include "almanac/instant.h"
 #include "atmosphere/stratosphere.h"
 #include "eclipse/contacts.h"
@@ -11,6 +16,7 @@
 #include "uses/light/disc_brightness.h"
 #include "uses/light/photometric_bands.h"
 #include "uses/light/spectral_bands.h"
+#include "uses/picture/clear_sky.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -24,34 +30,61 @@ bool in_totality(const almanac::Instant& when) {
 
 constexpr std::size_t texture_rows = 360;
 
-/// A Moon's light and ground, to be seen in any channels.
+/// A Moon's light and ground, to be seen in any channels at its moments.
 struct Measurable {
   const MoonRequest& moon;
-  const almanac::SkyState& sky;
+  const ViewRequest& view;
   Moonlight light;
   algebra::Grid<float> albedo;
+  bool on_its_way = false;  ///< the light is that of a whole eclipse
   std::shared_ptr<const surface::Ground> ground = ground_of(moon, albedo);
 
-  texture::Image in(const Photometer& meter) const {
+  texture::Image in(const Photometer& meter, const almanac::SkyState& sky) const {
     const auto weights =
         ground ? reddest_and_bluest(meter.weights, band_centres_nm()) : meter.weights;
-    return texture::bake({albedo, sky, light.in_channels(weights), ground.get()}, meter.channels,
-                         texture_rows, moon.photometry);
+    const auto lookup = [&] {
+      if (!on_its_way) return light.in_channels(weights);
+      const auto within = range_at(light, sky);
+      return within ? light.in_sums(at_wavelengths(weights, light.plan.work.bands), *within)
+                    : shadow::Lookup(weights);
+    };
+    return texture::bake({albedo, sky, lookup(), ground.get()}, meter.channels, albedo.rows(),
+                         moon.photometry);
   }
+
+  MoonBrightness at(const almanac::SkyState& sky) const;
 };
 
 BrightnessSeen seen_of(const Measurable& moon, const texture::Image& above,
-                       const almanac::Observer& observer,
-                       const std::optional<atmosphere::Sightline>& sightline) {
-  const auto from_m = almanac::view_from(observer, moon.sky).position_m;
-  const auto meter = photometer(sightline);
-  BrightnessSeen seen{apparent_place(observer, moon.sky),
-                      measured(meter, sightline ? moon.in(meter) : above, moon.sky, from_m),
-                      {}};
-  const auto undimmed = measured(meter, above, moon.sky, from_m);
+                       const almanac::SkyState& sky, const MoonBrightness& brightness) {
+  const auto from = view_of(moon.view, sky);
+  const auto& observer = *from.observer;
+  const auto from_m = almanac::view_from(observer, sky).position_m;
+  const auto meter = photometer(from.sightline);
+  const auto place = apparent_place(observer, sky);
+  const ClearSky clear(observer, sky, air_over(observer, moon.view),
+                       brightness.disc.magnitudes[V_band]);
+  BrightnessSeen seen{place,
+                      measured(meter, from.sightline ? moon.in(meter, sky) : above, sky, from_m),
+                      {},
+                      clear.towards(in_sky(place.altitude, place.azimuth)).sum()};
+  const auto undimmed = measured(meter, above, sky, from_m);
   for (std::size_t k = 0; k < undimmed.magnitudes.size(); ++k)
     seen.extinction_mag.push_back(seen.disc.magnitudes[k] - undimmed.magnitudes[k]);
   return seen;
+}
+
+MoonBrightness Measurable::at(const almanac::SkyState& sky) const {
+  const auto meter = photometer();
+  const auto texture = in(meter, sky);
+  MoonBrightness brightness{measured(meter, texture, sky), {}};
+  if (!moon.unshadowed && in_totality(sky.when)) {
+    brightness.danjon = danjon_estimate(brightness.disc.magnitudes[V_band]);
+    brightness.V_error = totality_error_mag(moon.light.air, almanac::year_of(sky.when));
+  }
+  if (view.observer && moon_is_up(view, sky))
+    brightness.seen = seen_of(*this, texture, sky, brightness);
+  return brightness;
 }
 
 }  // namespace
@@ -79,21 +112,71 @@ std::vector<double> magnitudes_above(const LitMoon& moon) {
 
 MoonBrightness brightness_of(const MoonRequest& moon, const almanac::SkyState& sky,
                              const ViewRequest& view, const algebra::Progress& progress) {
-  const auto from = view_of(view, sky);
+  view_of(view, sky);  // refuses a Moon below the horizon, before the work
   const Measurable measurable{
-      moon, sky,
+      moon, view,
       moon.unshadowed ? unshadowed_light(moon.light, sky)
                       : light_on_the_moon(moon.light, sky, {.error_told = false}, progress),
       texture::resized(normal_albedo(moon), texture_rows)};
-  const auto meter = photometer();
-  const auto texture = measurable.in(meter);
-  MoonBrightness brightness{measured(meter, texture, sky), {}};
-  if (!moon.unshadowed && in_totality(sky.when)) {
-    brightness.danjon = danjon_estimate(brightness.disc.magnitudes[V_band]);
-    brightness.V_error = totality_error_mag(moon.light.air, almanac::year_of(sky.when));
-  }
-  if (from.observer) brightness.seen = seen_of(measurable, texture, *from.observer, from.sightline);
-  return brightness;
+  return measurable.at(sky);
+}
+
+std::vector<almanac::Instant> moments_between(const almanac::Instant& from,
+                                              const almanac::Instant& to, double step_min) {
+  algebra::require_within("step [min]", step_min, 0.01, 1440);
+  const double seconds = almanac::seconds_between(from, to);
+  algebra::require_within("time from the first moment to the last [s]", seconds, 0, 86400);
+  std::vector<almanac::Instant> moments;
+  for (int i = 0; 60 * step_min * i <= seconds + 1e-3; ++i)
+    moments.push_back(almanac::later(from, 60 * step_min * i));
+  return moments;
+}
+
+LightCurve light_curve(const MoonRequest& moon, const std::vector<almanac::Instant>& moments,
+                       const ViewRequest& view, const algebra::Progress& progress) {
+  constexpr std::size_t rows = 180;
+  if (view.observer) air_over(*view.observer, view);  // refuses an air that is not sound
+  const auto skies = skies_between(moments.front(), moments.back());
+  const Measurable measurable{moon, view,
+                              moon.unshadowed
+                                  ? unshadowed_light(moon.light, skies.front())
+                                  : light_on_the_way(moon.light, moon_on_its_way(moon.light, skies),
+                                                     {.error_told = false}, progress),
+                              texture::resized(normal_albedo(moon), rows), !moon.unshadowed};
+  std::vector<MoonBrightness> all(moments.size());
+  tbb::parallel_for(std::size_t{0}, moments.size(),
+                    [&](std::size_t i) { all[i] = measurable.at(almanac::sky_at(moments[i])); });
+  LightCurve curve{moments, {}};
+  const auto add = [&](const std::string& name, const auto& number_of) {
+    auto& numbers = curve.columns.emplace_back(name, std::vector<double>{}).second;
+    for (const auto& each : all) numbers.push_back(number_of(each));
+  };
+  const auto add_disc = [&](const std::string& prefix, const auto& add_number) {
+    for (std::size_t k = 0; k < photometric_bands().size(); ++k)
+      add_number(fmt::format("{}{}_magnitude", prefix, photometric_bands()[k].name),
+                 [k](const auto& bright) { return bright.disc.magnitudes[k]; });
+    add_number(prefix + "mean_luminance_cd_m2",
+               [](const auto& bright) { return bright.disc.mean_luminance_cd_m2; });
+    add_number(prefix + "illuminance_lx",
+               [](const auto& bright) { return bright.disc.illuminance_lx; });
+  };
+  add_disc("", add);
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  add("V_error", [](const auto& bright) { return bright.V_error.value_or(none); });
+  if (!view.observer) return curve;
+  const auto add_seen = [&](const std::string& name, const auto& number_of) {
+    add(name, [&](const auto& bright) { return bright.seen ? number_of(*bright.seen) : none; });
+  };
+  add_seen("altitude_deg",
+           [](const auto& seen) { return algebra::in_degrees(seen.moon.altitude); });
+  add_seen("azimuth_deg", [](const auto& seen) { return algebra::in_degrees(seen.moon.azimuth); });
+  add_disc("seen_", add_seen);
+  add_seen("seen_level_illuminance_lx", [](const auto& seen) {
+    return seen.disc.illuminance_lx *
+           std::max(0., std::sin(algebra::in_radians(seen.moon.altitude)));
+  });
+  add_seen("sky_cd_m2", [](const auto& seen) { return seen.sky_cd_m2; });
+  return curve;
 }
 
 }  // namespace coppermoon::uses

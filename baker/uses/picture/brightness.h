@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "uses/light/photometer.h"
@@ -16,6 +18,7 @@ struct BrightnessSeen {
   povray_scenes::HorizonPlace moon;    ///< refraction included
   DiscBrightness disc;                 ///< through the air
   std::vector<double> extinction_mag;  ///< [band]; 0 without reddening
+  double sky_cd_m2 = 0;                ///< of the clear sky around the Moon
 };
 
 /// Brightness of the whole Moon at one moment.
@@ -51,5 +54,37 @@ std::vector<double> magnitudes_above(const LitMoon& moon);
 /// Throws  Error  as light_on_the_moon, normal_albedo, view_of
 MoonBrightness brightness_of(const MoonRequest& moon, const almanac::SkyState& sky,
                              const ViewRequest& view = {}, const algebra::Progress& progress = {});
+
+/// Moments at even steps, the last of them not after `to`.
+///
+/// Given   step_min  0.01 to 1440 minutes
+/// Throws  Error     for another step; when `to` is before `from` or more than a day after it
+std::vector<almanac::Instant> moments_between(const almanac::Instant& from,
+                                              const almanac::Instant& to, double step_min);
+
+/// Brightness of the whole Moon over time: numbers by the names of their columns, one for each moment. One that is not
+/// known then is NaN.
+///
+///     B_magnitude … R_magnitude, mean_luminance_cd_m2, illuminance_lx     above the air; a magnitude may be infinite
+///     V_error                                                             as MoonBrightness has it
+///     altitude_deg, azimuth_deg                                           as a place sees it, while it is up
+///     seen_B_magnitude … seen_illuminance_lx                              the same through the air of the place
+///     seen_level_illuminance_lx                                           on level ground
+///     sky_cd_m2                                                           of the clear sky around the Moon
+struct LightCurve {
+  using Column = std::pair<std::string, std::vector<double>>;
+
+  std::vector<almanac::Instant> moments;
+  std::vector<Column> columns;
+};
+
+/// Light curve of an eclipse, from one simulation, over textures of 180 rows.
+///
+/// Given     moments  in order of time, one or more, within a day; also before P1 and after P4
+///           view     for its observer and air; without an observer there are no columns of a place
+/// Accuracy  0.003 mag, and as much of the light, from brightness_of
+/// Throws    Error    when no eclipse is under way between them; as normal_albedo, air_over
+LightCurve light_curve(const MoonRequest& moon, const std::vector<almanac::Instant>& moments,
+                       const ViewRequest& view = {}, const algebra::Progress& progress = {});
 
 }  // namespace coppermoon::uses

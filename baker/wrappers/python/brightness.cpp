@@ -33,6 +33,33 @@ uses::MoonBrightness brightness_at(const Moment& when, const std::optional<uses:
   });
 }
 
+/// Columns of a light curve as arrays, the moments in UTC.
+py::dict light_curve(const Moment& first, const Moment& last, double step_min,
+                     const std::optional<uses::Air>& air,
+                     const std::optional<uses::LightRequest>& light, const std::optional<Place>& at,
+                     const Callback& callback, const py::kwargs& more) {
+  TextureKeywords asked{.moon = {}};
+  take_objects(asked, air, light, at);
+  take(brightness_keywords(asked), "light_curve", more);
+  uses::require_map(asked.moon);
+  const auto curve = computed(callback, [&](const algebra::Progress& progress) {
+    const auto& place = asked.view.observer;
+    const auto moments =
+        uses::moments_between(first.seen_from(place), last.seen_from(place), step_min);
+    return uses::light_curve(asked.moon, moments, asked.view, progress);
+  });
+  py::list instants;
+  for (const auto& when : curve.moments) {
+    const auto text = almanac::utc_text(when, 3);
+    instants.append(text.substr(0, text.find('Z')));
+  }
+  py::dict columns;
+  columns["instant"] = py::array(instants).attr("astype")("datetime64[ms]");
+  for (const auto& [name, numbers] : curve.columns)
+    columns[py::str(name)] = py::array_t<double>(numbers.size(), numbers.data());
+  return columns;
+}
+
 /// Properties of the whole Moon, which both classes have.
 template <class Class>
 void add_disc(Class& brightness) {
@@ -94,6 +121,29 @@ at: place that sees it, through its air: a city, or (latitude, longitude) in deg
       signature_of(parameters), lines_of(parameters));
   package.def("brightness", brightness_at, "when"_a, py::kw_only(), "air"_a = py::none(),
               "light"_a = py::none(), "at"_a = py::none(), "progress"_a = py::none(), doc.c_str());
+  const auto over_time = fmt::format(
+      R"(light_curve(first, last, *, step_min=5.0, air=None, light=None, at=None, {}, progress=None)
+
+The whole Moon over time, from one simulation: a dict of arrays, one number a moment.
+
+instant is NumPy's datetime64 in UTC; B_magnitude, V_magnitude, R_magnitude, mean_luminance_cd_m2,
+illuminance_lx and V_error are above the air. With a place also altitude_deg, azimuth_deg, sky_cd_m2 (the
+clear sky around the Moon), and, through its air, seen_B_magnitude and so on, seen_illuminance_lx,
+seen_level_illuminance_lx (on level ground). NaN: not known, or the Moon is not up.
+
+first, last: moments of one eclipse, at most a day apart
+step_min: minutes between the moments, 0.01 to 1440
+at: place that sees it, through its air: a city, or (latitude, longitude) in degrees
+{}progress: called with the fraction that is done, some times a second
+
+>>> full = coppermoon.light_curve('2018-07-27 P1', '2018-07-27 P4', step_min=60, unshadowed=True)
+>>> full['V_magnitude'].shape
+(7,)
+)",
+      signature_of(parameters), lines_of(parameters));
+  package.def("light_curve", light_curve, "first"_a, "last"_a, py::kw_only(), "step_min"_a = 5.,
+              "air"_a = py::none(), "light"_a = py::none(), "at"_a = py::none(),
+              "progress"_a = py::none(), over_time.c_str());
 }
 
 }  // namespace coppermoon::python

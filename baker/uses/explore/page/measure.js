@@ -8,9 +8,9 @@ const samples = 96;  // across the picture that is measured
 const whole = {middle: [0, 0], pixel: 2.04 / samples, width: samples, height: samples};
 
 /** V magnitude and mean luminance [cd/m²] above the air, from the Earth's centre. */
-export function brightness(picture, facts, sky, shadowed = true) {
+export function brightness(picture, facts, sky, shadowed = true, table = 'above') {
   const view = viewFrom(sky, null, 'north');
-  const pixels = picture.read(sky, view, whole, {shadowed, light: 'above'});
+  const pixels = picture.read(sky, view, whole, {shadowed, light: table});
   let radiance = 0, light = 0, count = 0;
   for (let i = 0; i < pixels.length; i += 4) {
     if (pixels[i + 1] > 0) ++count;
@@ -27,14 +27,16 @@ export const scaleOfOneSecond = (facts, {iso, fNumber}) => facts.exposureScale *
 
 /**
  * Exposure time [s] that follows the eclipse: with the air as it was, the cube of the mean cube root of brightest
- * channels comes to a quarter of saturation, as by uses::ExposureTime::Rule::follow. Another air so looks brighter or dimmer.
+ * channels comes to a quarter of saturation, as by uses::ExposureTime::Rule::follow, the light of the sky around it counted.
+ * Another air so looks brighter or dimmer.
  */
-export function followedTime(picture, facts, sky, view, exposure) {
+export function followedTime(picture, facts, sky, view, exposure, around = [0, 0, 0]) {
   const pixels = picture.read(sky, view, whole, {light: 'followed'});
   let roots = 0, count = 0;
   for (let i = 0; i < pixels.length; i += 4) {
-    const brightest = Math.max(pixels[i], pixels[i + 1], pixels[i + 2]);
-    if (brightest > 0) [roots, count] = [roots + Math.cbrt(brightest), count + 1];
+    const [r, g, b] = [0, 1, 2].map((k) => pixels[i + k]);
+    if (Math.max(r, g, b) > 0)
+      [roots, count] = [roots + Math.cbrt(Math.max(r + around[0], g + around[1], b + around[2])), count + 1];
   }
   if (count === 0) return 1;
   const time = 0.25 / (roots / count) ** 3 / scaleOfOneSecond(facts, exposure);

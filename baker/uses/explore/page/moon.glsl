@@ -151,6 +151,7 @@ uniform int look;            // 0: display sRGB, 1: a table, 2: stops, 3: hue ke
 uniform sampler3D view;
 uniform vec2 viewCode;       // gain, stops
 uniform float viewSize;
+uniform vec3 around;         // light of the sky around the Moon, and before it [cd/m²]
 uniform float fullMoon;      // luminance of a full Moon [cd/m²]
 uniform vec3 stopColours[10];
 uniform float darker;        // of the lower of two stops
@@ -188,15 +189,20 @@ vec3 stops(vec3 light) {
 
 float noise(vec2 at) { return fract(52.9829189 * fract(dot(at, vec2(0.06711056, 0.00583715)))) - 0.5; }
 
+vec3 shown(vec3 seen) {
+  vec3 light = seen * exposure;
+  return look == 2 ? stops(seen) : look == 1 ? viewed(light) : srgb(look == 3 ? hueKept(light) : light);
+}
+
 void main() {
   float inside;
   vec3 ground = groundAt(middle + (gl_FragCoord.xy - 0.5 * size) * pixel, inside);
   float cover = clamp(inside / pixel + 0.5, 0.0, 1.0);
-  if (cover <= 0.0) { colour = vec4(0.0, 0.0, 0.0, 1.0); return; }
-  vec3 seen = max(radianceOf(ground).rgb, 0.0);
-  vec3 shown = look == 2 ? stops(seen) : look == 1 ? viewed(seen * exposure)
-    : srgb(look == 3 ? hueKept(seen * exposure) : seen * exposure);
+  bool black = around == vec3(0.0);
+  if (cover <= 0.0 && black) { colour = vec4(0.0, 0.0, 0.0, 1.0); return; }
+  vec3 seen = cover > 0.0 ? max(radianceOf(ground).rgb, 0.0) + around : vec3(0.0);
+  vec3 beside = black ? vec3(0.0) : linear(shown(around));
   // the limb's cover weighs light as the screen shows it, so that a clipped limb has no stairs
-  colour = vec4(srgb(linear(shown) * cover) + noise(gl_FragCoord.xy) / 255.0, 1.0);
+  colour = vec4(srgb(mix(beside, linear(shown(seen)), cover)) + noise(gl_FragCoord.xy) / 255.0, 1.0);
 }
 #endif

@@ -79,7 +79,8 @@ function horizonPlace(sky, zenith, sight) {
  *
  * Given    place  on the Earth; none: the Earth's centre
  *          up     direction in the picture: 'north', 'zenith' or 'moon'
- * Returned distance [km]; forward, right and up: the picture's axes; of a place altitude, trueAltitude and azimuth [degrees]
+ * Returned distance [km]; forward, right and up: the picture's axes; of a place altitude, trueAltitude, azimuth and
+ *          sunAltitude, which is true [degrees]
  */
 export function viewFrom(sky, place, up) {
   const pole = times(sky.equatorFrame, [0, 0, 1]);
@@ -92,7 +93,10 @@ export function viewFrom(sky, place, up) {
     distance: length(toMoon), position: stand.position, forward, up: upward,
     right: cross(forward, upward),
   };
-  if (place) Object.assign(view, horizonPlace(sky, stand.zenith, forward));
+  if (place) {
+    const sunAltitude = -Math.asin(stand.zenith[2]) / degree;  // the shadow's axis comes from the Sun
+    Object.assign(view, horizonPlace(sky, stand.zenith, forward), {sunAltitude});
+  }
   return view;
 }
 

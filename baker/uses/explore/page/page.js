@@ -11,6 +11,7 @@ import {Panel, Places} from './panel.js';
 import {Picture} from './picture.js';
 import {Shadow} from './shadow.js';
 import {Sightline} from './sightline.js';
+import {skyAround} from './sky.js';
 import {commandOf, linkOf, stateOf} from './state.js';
 import {direction, degree, luminance, unit} from './vectors.js';
 import {exposureTime, localTime, meanings, number, placeText, signed, utc} from './words.js';
@@ -99,6 +100,9 @@ export class Page {
     return {sky, view: viewFrom(sky, this.state.place, this.state.up), frame: this.frame()};
   }
 
+  /** Whether air above the observer shines around the Moon: not below the horizon, nor where that air is taken away. */
+  skyIsSeen(view) { return this.state.place && this.state.reddening && view.altitude >= -0.3; }
+
   /** Draws the Moon at once, and slower drawings once changes pause. */
   draw() {
     if (this.picture.gl.isContextLost()) return;
@@ -106,10 +110,16 @@ export class Page {
     this.placeMarks();
     const {state, facts, picture} = this, scene = this.scene(), {sky, view, frame} = scene;
     this.setSeen(view);
+    this.whole = brightness(picture, facts, sky);
+    const around = ({V}) => (this.skyIsSeen(view)
+      ? skyAround(facts, this.arrays, view, state.place.elevationKm ?? 0, V) : [0, 0, 0]);
+    this.around = around(this.whole);
+    picture.setLight('asItWas', this.asItWas.above, this.shadow);
     this.seconds = state.exposure.rule === 'fixed' ? state.exposure.time
-      : followedTime(picture, facts, sky, view, state.exposure);
+      : followedTime(picture, facts, sky, view, state.exposure, around(brightness(picture, facts, sky, true, 'asItWas')));
     const exposure = this.seconds * scaleOfOneSecond(facts, state.exposure);
-    picture.draw(sky, view, frame, {exposure, view: state.look, stops: state.look === 'stops', fullMoon: this.fullMoon});
+    picture.draw(sky, view, frame, {exposure, view: state.look, stops: state.look === 'stops', fullMoon: this.fullMoon,
+      around: this.around});
     drawOver(this.find('over'), {...scene, facts, circle: state.circle, marked: this.marked});
     this.say(scene);
     clearTimeout(this.later);
@@ -130,7 +140,7 @@ export class Page {
       : 'from the Earth’s centre';
     const below = place && view.altitude < -0.3;
     this.find('note').textContent = below ? 'The Moon is below the horizon there.' : '';
-    const whole = brightness(this.picture, facts, sky);
+    const {whole} = this;
     this.find('whole').textContent = `V ${signed(whole.V, 2)} · mean ${number(whole.luminance)} cd/m² · ` +
       `${exposureTime(this.seconds)} at f/${state.exposure.fNumber}, ISO ${state.exposure.iso}`;
     this.find('whole').title = meanings.V;

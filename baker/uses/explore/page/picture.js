@@ -139,7 +139,7 @@ export class Picture {
    * Draws the Moon.
    *
    * Given  frame  middle [lunar radii], pixel [lunar radii], width, height [pixels]
-   *        look   {exposure, view} or {stops: true}
+   *        look   {exposure, view, around: light of the sky [cd/m²]} or {stops: true}
    */
   draw(sky, view, frame, look) {
     const {gl, facts} = this, {at} = this.screen;
@@ -152,6 +152,7 @@ export class Picture {
     gl.uniform1f(at('exposure'), look.exposure);
     gl.uniform2f(at('viewCode'), facts.viewTable.gain, facts.viewTable.stops);
     gl.uniform1f(at('viewSize'), facts.viewTable.size);
+    gl.uniform3fv(at('around'), look.stops ? [0, 0, 0] : look.around);
     gl.uniform1f(at('fullMoon'), look.fullMoon ?? 1);
     gl.uniform3fv(at('stopColours'), stopColours.flat());
     gl.uniform1f(at('darker'), darker);

@@ -24,7 +24,7 @@ function airMasses(altitude) {
 }
 
 /** Pressure at an elevation over that at sea level, as atmosphere::pressure_ratio_us_1976. */
-const pressureRatio = (km) =>
+export const pressureRatio = (km) =>
   (1 - 6.5 * Math.min(km, 11) / 288.15) ** 5.2559 * Math.exp(-Math.max(km - 11, 0) / 6.3416);
 
 /** Light in one state of the Earth's air, as observers see it at any altitude. */

@@ -374,9 +374,9 @@ struct Program {
 const std::set<std::string, std::less<>>& effective_by_themselves() {
   static const std::set<std::string, std::less<>> all{
       // what is asked, when and where
-      "instant", "eclipse", "calendar", "year", "from", "to", "at", "focal-length", "zone", "on",
-      "feature", "instants", "frame", "photo", "render", "photos", "photographs", "magnitudes",
-      "recipe-in", "commands", "shadow-convention", "brightness", "moon-distance-km",
+      "instant", "eclipse", "calendar", "year", "from", "to", "step", "at", "focal-length", "zone",
+      "on", "feature", "instants", "frame", "photo", "render", "photos", "photographs",
+      "magnitudes", "recipe-in", "commands", "shadow-convention", "brightness", "moon-distance-km",
       "sun-distance-km", "danjon-spread", "unknowns", "despite-misfit", "only", "longest", "repeat",
       "quick",
       // what is written, and how; several are refused where they contradict others

@@ -211,6 +211,19 @@ class Brightness(unittest.TestCase):
         self.assertAlmostEqual(moon.illuminance_lx / moon.mean_luminance_cd_m2 / (numpy.pi * (1737.4 / 406098.75) ** 2), 1,
                                delta=0.01)
 
+    def test_over_time_is_the_commands(self):
+        words = ["--from", "2018-07-27T18:24Z", "--to", "2018-07-27T19:24Z", "--step", "30", "--at", "Nairobi"]
+        told = json.loads(command("brightness", when, "--albedo-map", "built-in", "--atmosphere", "clear", "--bands", "4",
+                                  "--rays", "60", "--json", *words))
+        curve = coppermoon.light_curve("2018-07-27T18:24Z", "2018-07-27T19:24Z", step_min=30, at="Nairobi", air=clear,
+                                       light=draft, albedo_map="built-in")
+        self.assertEqual(curve["instant"][1], numpy.datetime64("2018-07-27T18:54"))
+        self.assertEqual(set(curve), set(told["moments"][0]))
+        for name in set(curve) - {"instant"}:
+            numpy.testing.assert_array_equal(curve[name], [numpy.nan if row[name] is None else row[name]
+                                                           for row in told["moments"]], name)
+        self.assertLess(curve["seen_illuminance_lx"][2], curve["seen_illuminance_lx"][0])
+
     @unittest.skipUnless(thorough, "sums up the light of eight channels closely")
     def test_is_the_commands_thoroughly(self):
         moon, told = self.check(["--at", "Nairobi", "--bands", "4", "--rays", "60"], at="Nairobi", light=draft)
