@@ -18,6 +18,7 @@
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 #include "uses/film/film_folder.h"
+#include "uses/film/film_scene.h"
 #include "uses/light/header.h"
 #include "uses/light/spectral_bands.h"
 #include "uses/picture/disc_outline.h"
@@ -39,13 +40,17 @@ texture::Attributes header_of(const Film& film, std::size_t frame) {
   return header;
 }
 
+LitMoon lit_moon_of(const Film& film, const almanac::SkyState& sky, const View& view) {
+  return {film.moon,     sky,           film.albedo,
+          film.ground,   film.light,    range_at(*film.light, sky),
+          view.observer, view.sightline};
+}
+
 BakedMoon moon_of(const Film& film, const almanac::SkyState& sky, const View& view,
                   std::size_t frame) {
   const auto extent =
       film.products.textures ? texture::Extent::whole : texture::Extent::seen_from_earth;
-  const LitMoon lit{film.moon,     sky,           film.albedo,
-                    film.ground,   film.light,    range_at(*film.light, sky),
-                    view.observer, view.sightline};
+  const auto lit = lit_moon_of(film, sky, view);
   auto content = film.content;
   if (film.products.framed()) {  // textures are for POV-Ray
     content.space = picture_space;
@@ -134,6 +139,24 @@ MadeFrame finished(const Film& film, const Rendered& rendered, const LinearFrame
 
 using WhenMade = std::function<void(const MadeFrame&)>;
 
+/// Facts of a frame; of a scene's none, since the disc may be anywhere in it.
+SeenFrame seen_of(const Film& film, const View& view, const almanac::SkyState& sky) {
+  return film.scene.empty() ? seen_by(view, sky) : SeenFrame{};
+}
+
+/// Has the user's scene rendered for each frame, and develops it.
+void render_scene(const Film& film, Frames frames, int threads, const WhenMade& when_made) {
+  for (const std::size_t frame : frames) {
+    const auto sky = film.sky(frame);
+    const auto view = view_of(film, sky);
+    const LitScene scene{lit_moon_of(film, sky, view), view, moon_of(film, sky, view, frame)};
+    const LinearFrame light{rendered_scene(film, frame, scene, threads)};
+    when_made(finished(film,
+                       {frame, scene.texture.attributes, seen_of(film, view, sky), view.camera},
+                       in_space(light, picture_space, space_of(film.content))));
+  }
+}
+
 /// Bakes a batch of frames, has one process of POV-Ray render it, and develops each frame as it comes.
 void render(const Film& film, Frames frames, int threads, const WhenMade& when_made) {
   const files::TemporaryFolder folder;
@@ -184,7 +207,7 @@ void expose(const Film& film, std::size_t frame, const WhenMade& when_made) {
   const auto moon = moon_of(film, sky, view, frame);
   if (film.products.textures && !is_own(film, film.texture(frame), frame))
     write_texture(film, frame, moon);
-  auto made = finished(film, {frame, moon.attributes, seen_by(view, sky), view.camera},
+  auto made = finished(film, {frame, moon.attributes, seen_of(film, view, sky), view.camera},
                        {texture::read_image(film.linear_frame(frame))});
   made.developed_again = true;
   when_made(made);
@@ -253,7 +276,8 @@ void make_frames(const Film& film, const std::vector<std::size_t>& frames, const
         expose(film, frame, when_made);
       else
         unseen.push_back(frame);
-    if (!unseen.empty()) render(film, unseen, threads, when_made);
+    if (!unseen.empty())
+      (film.scene.empty() ? render : render_scene)(film, unseen, threads, when_made);
   };
   const auto work = [&] {
     try {

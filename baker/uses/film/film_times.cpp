@@ -10,6 +10,7 @@
 #include <string>
 
 #include "algebra/error.h"
+#include "atmosphere/astronomical_refraction.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -60,11 +61,25 @@ std::size_t count_of(const FilmTimes& times, double seconds) {
   return frames;
 }
 
-/// Rise or set between a moment when the Moon is up and one when it is down, to a second; the Moon is still up.
+/// Whether a frame shows some of the Moon: its upper limb, flattened as in the frame, stands an arcminute above the
+/// horizon.
+bool is_seen(const ViewRequest& view, const almanac::SkyState& sky) {
+  constexpr double arcminute = 1. / 60;
+  if (!view.observer || !moon_is_up(view, sky)) return !view.observer;
+  const auto& observer = *view.observer;
+  const double semidiameter = std::asin(almanac::lunar_radius /
+                                        almanac::view_from(observer, sky).moon_distance),
+               limb = algebra::in_radians(apparent_place(observer, sky).altitude) +
+                      view_of(view, sky).camera.flattening * semidiameter;
+  const auto horizon = atmosphere::apparent_altitude(horizon_altitude(observer));
+  return algebra::in_degrees(algebra::radians(limb) - horizon) > arcminute;
+}
+
+/// Rise or set between a moment when the Moon is seen and one when it is not, to a second; it is still seen.
 Instant edge_of(const ViewRequest& view, Instant up, Instant down) {
   while (std::abs(almanac::seconds_between(up, down)) > 1) {
     const auto middle = almanac::later(up, almanac::seconds_between(up, down) / 2);
-    (moon_is_up(view, almanac::sky_at(middle)) ? up : down) = middle;
+    (is_seen(view, almanac::sky_at(middle)) ? up : down) = middle;
   }
   return up;
 }
@@ -79,7 +94,7 @@ std::pair<Instant, Instant> while_up(const ViewRequest& view, const Instant& fro
   Instant before = from;
   for (double passed = 0; passed < seconds + step_s; passed += step_s) {
     const auto now = almanac::later(from, std::min(passed, seconds));
-    const bool up = moon_is_up(view, almanac::sky_at(now));
+    const bool up = is_seen(view, almanac::sky_at(now));
     if (up && !found) found = {passed == 0 ? from : edge_of(view, now, before), now};
     if (up) found->second = now;
     if (!up && found) return {found->first, edge_of(view, before, now)};
