@@ -48,7 +48,7 @@ Eclipsed_Stars(Eye, 2*Field/image_width, 2e5)
 #macro Ridge(Distance, Aside, Width, Height, Haze, Lot)
   #local Ground = function(x, y) {
     sin(pi*x)*min(1, 5*y)*min(1, 5*(1 - y))
-    *(0.45 + 0.4*f_noise3d(3*x, 3*y, Lot) + 0.22*f_ridged_mf(7*x, 7*y, Lot, 0.9, 2.1, 8, 0.9, 2, 2))
+    *(0.3 + 0.5*f_noise3d(4*x, 4*y, Lot) + 0.3*f_ridged_mf(6*x, 6*y, Lot, 0.9, 2.1, 8, 0.9, 2, 2))
   }
   height_field {
     function 500, 500 { Ground(x, y) }
@@ -63,12 +63,12 @@ Eclipsed_Stars(Eye, 2*Field/image_width, 2e5)
     }
   }
 #end
-Ridge(11000, 1500, 26000, 1300, 0.75, 3.3)
-Ridge(6500, -4000, 9000, 800, 0.5, 1.7)
-Ridge(5000, 4200, 7000, 600, 0.35, 8.2)
+Ridge(11000, 1500, 26000, 620, 0.6, 3.3)
+Ridge(6500, -5800, 9000, 800, 0.3, 1.7)
+Ridge(5000, 4200, 7000, 600, 0.15, 8.2)
 
 // Mist on the water.
-fog { fog_type 2 distance 9000 fog_offset 0 fog_alt 15 rgb Air up y }
+fog { fog_type 2 distance 16000 fog_offset 0 fog_alt 15 rgb Air up y }
 
 // Water that mirrors all of it, with a breath of wind. In a film the waves go on by the clock.
 plane {
