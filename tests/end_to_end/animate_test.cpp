@@ -399,8 +399,8 @@ TEST_F(Animate, RefusesWhatItCannotMake) {
                  "mount = tracking: --aim needs a fixed one");
   expect_refused({"animate", "2018-07-27", "-o", "no/such/film"}, "no/such: no such directory");
   expect_refused(film({"--at", "40,-100"}),
-                 "the Moon is below the horizon of 40,-100 from 2018-07-27T17:14:49Z to "
-                 "2018-07-27T23:28:37Z");
+                 "the Moon is below the horizon of 40,-100 from 2018-07-27T17:14:48Z to "
+                 "2018-07-27T23:28:41Z");
   expect_refused(film({"--at", "40,-100", "--from", "P1", "--to", "P4"}),
                  "the Moon is below the horizon of 40,-100 in all frames");
 }

@@ -65,8 +65,10 @@ std::size_t count_of(const FilmTimes& times, double seconds) {
 /// horizon.
 bool is_seen(const ViewRequest& view, const almanac::SkyState& sky) {
   constexpr double arcminute = 1. / 60;
-  if (!view.observer || !moon_is_up(view, sky)) return !view.observer;
+  if (!view.observer) return true;
   const auto& observer = *view.observer;
+  const double above_deg = algebra::in_degrees(above_horizon(observer, sky));
+  if (above_deg <= 0 || above_deg > 1) return above_deg > 0;
   const double semidiameter = std::asin(almanac::lunar_radius /
                                         almanac::view_from(observer, sky).moon_distance),
                limb = algebra::in_radians(apparent_place(observer, sky).altitude) +

@@ -121,6 +121,7 @@ TEST(FilmOptions, BeginAndEndWithTheMoonWhereNobodyAsksForMore) {
   EXPECT_EQ(message_of([&] { kept_to_the_moon(berlin, 41.85, -87.65); }).substr(0, 52),
             "the Moon is below the horizon of 41.85,-87.65 from 2")
       << "Chicago";
+  testing::internal::GetCapturedStderr();
 }
 
 TEST(FilmOptions, TakeALocalDayAndSayWhereAnotherIsTaken) {
