@@ -90,7 +90,7 @@ Instant edge_of(const ViewRequest& view, Instant up, Instant down) {
 
 std::pair<Instant, Instant> while_up(const ViewRequest& view, const Instant& from,
                                      const Instant& to) {
-  constexpr double step_s = 120;
+  constexpr double step_s = 300;
   const double seconds = almanac::seconds_between(from, to);
   std::optional<std::pair<Instant, Instant>> found;
   Instant before = from;

@@ -49,12 +49,12 @@ void add_times(CLI::App& verb, FilmOptions& options) {
   add_flag(verb, "--from", options.from,
            moments +
                "moonrise: P1, or where the Moon rises later at the place of --at, its rise; "
-               "which is the default")
+               "by default P1 means the same")
       .in(film_group);
   add_flag(verb, "--to", options.to,
            moments +
                "moonset: P4, or where the Moon sets before at the place of --at, its set; "
-               "which is the default")
+               "by default P4 means the same")
       .in(film_group);
   add_flag(verb, "--frames", options.frames,
            "number of frames, 1 to 1000000, evenly from the first moment to the last; default: 240")
