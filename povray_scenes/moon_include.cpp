@@ -89,7 +89,7 @@ std::string moon_include(const MoonInSky& moon) {
     Coppermoon_Moon_In_Air("{}", Air)
     Coppermoon_In_Sky(Moon_Latitude, Moon_Longitude, Moon_Axis_Angle, Moon_Parallactic_Angle,
                       Moon_Altitude, Moon_Azimuth, Enlarged*Moon_Diameter, Distance)
-    no_radiosity
+    no_radiosity{}
   }}
 #end
 
@@ -106,7 +106,10 @@ std::string moon_include(const MoonInSky& moon) {
       moon.title, degrees(moon.place.altitude), degrees(moon.place.azimuth), diameter,
       degrees(moon.view.sub_observer.latitude), degrees(moon.view.sub_observer.longitude),
       degrees(moon.axis_position_angle), degrees(moon.view.parallactic_angle), lux[0], lux[1],
-      lux[2], degrees(moon.sun_altitude), moon.sky_cd_m2, sky_file, moon.texture);
+      lux[2], degrees(moon.sun_altitude), moon.sky_cd_m2, sky_file, moon.texture,
+      moon.up
+          ? ""
+          : "\n    #if (Moon_Altitude + Enlarged*Moon_Diameter/2 < 0) no_image no_reflection #end");
 }
 
 std::string star_include(const std::string& title, std::span<const StarInSky> stars) {

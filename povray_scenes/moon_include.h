@@ -24,6 +24,7 @@ struct MoonInSky {
   algebra::Angle sun_altitude;            ///< airless
   double sky_cd_m2 = 0;                   ///< luminance of the clear sky in the zenith
   std::array<double, 3> illuminance_lux;  ///< linear Rec.709, on a surface that faces the Moon
+  bool up = true;  ///< else it is not seen, unless it is so much enlarged that some is above
 };
 
 /// Star or planet in an observer's sky.

@@ -185,9 +185,10 @@ void run_povray(const RenderSettings& settings, const Draft& draft, const Run& r
   files::Child child;
   std::optional<Closing> closing;
   if (run.until_closed) closing.emplace(draft.folder, run.output);
-  // in place of anybody's own settings, which would count beside the scene's
-  const auto no_settings = std::string("POVINI=") + settings_file;
-  files::start(child, {command(settings, run), "povray", draft.folder, {no_settings}},
+  std::vector<std::string> environment;
+  if (!run.with_users_settings)  // ours stand in their place
+    environment.push_back(std::string("POVINI=") + settings_file);
+  files::start(child, {command(settings, run), "povray", draft.folder, environment},
                {.error = words.in.number});
   words.in.close();
   Conversation heard{run};

@@ -43,6 +43,7 @@ struct Run {
   /// Ends POV-Ray once it has closed its output, where the system reports that; later messages and the exit status
   /// are then lost.
   bool until_closed = false;
+  bool with_users_settings = false;  ///< povray.ini counts too, which says where includes are
 };
 
 /// Runs POV-Ray in the draft's folder to its end, or until it has closed its output. POV-Ray does not outlive this

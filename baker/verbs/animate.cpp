@@ -16,6 +16,7 @@
 #include "uses/film/film_files.h"
 #include "uses/film/film_folder.h"
 #include "uses/film/film_light.h"
+#include "uses/film/film_scene.h"
 #include "uses/film/film_setup.h"
 #include "uses/film/fixed_view.h"
 #include "uses/film/frame_range.h"
@@ -45,13 +46,16 @@ struct Options {
   bool json = false, replace = false, dry_run = false;
 };
 
-uses::Film film_of(const Options& options) {
+uses::Film film_of(CLI::App& verb, const Options& options) {
   uses::Film film;
   film.folder = options.output;
   film.products = products_of(options.film);
   film.content = options.content;
   film.fps = options.film.fps;
-  film.moments = moments_of(times_of(options.film, options.view));
+  film.scene = options.film.scene;
+  auto times = times_of(options.film, options.view);
+  if (!film.products.light_alone()) keep_to_the_moon(times, parameters_of(verb), options.view);
+  film.moments = moments_of(times);
   film.moon = moon_request(options.moon);
   film.view = options.view;
   film.development = options.development;
@@ -131,18 +135,21 @@ void list(uses::Film film, const std::vector<std::size_t>& frames, const uses::F
   for (const auto& file : files.all()) progress.file(file);
 }
 
-void run(const CLI::App& verb, const Options& options) {
-  auto film = film_of(options);
+void run(CLI::App& verb, const Options& options) {
+  auto film = film_of(verb, options);
   const bool light_alone = film.products.light_alone();
   const auto shard = uses::shard_from(options.film.shard);
   const auto frames = part_of(
       uses::frames_in(options.film.range, film.moments.frames.size(), film.moments.first_frame),
       shard);
-  set_up(film, mounting_of(options.film, film.view.observer.has_value()), frames);
+  const bool own = !film.scene.empty();
+  set_up(film, own ? uses::Mounting{} : mounting_of(options.film, film.view.observer.has_value()),
+         frames);
   film.record = uses::film_record(parameters_of(verb),
                                   request::with_width(recipe_of(verb), *film.moon.texture_width));
   film.record.map_contents = map_contents(film.moon);
   film.record.view_contents = fingerprint(film.development, space_of(film.content));
+  if (own) film.record.scene_contents = uses::scene_contents(film.scene);
   film.record.way_out = ", or --replace";
   const auto files = files_of(options.film);
   require_makeable(files, film);
@@ -190,6 +197,9 @@ void add_animate(CLI::App& program) {
   add_described(*verb, options->development, uses::describe_but_time);
   add_described(*verb, options->development.caption, uses::describe_caption);
   add_described(*verb, options->development.camera);
+  for (const char* of_our_camera :
+       {"field", "focal-length", "sensor-width", "up", "mount", "aim", "passes"})
+    parameters_of(*verb).find(of_our_camera)->not_beside({{"scene"}});
   add_flag(*verb, "-o,--output", options->output, "folder for what is made")
       .writes_folder()
       .required();

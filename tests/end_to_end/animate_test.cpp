@@ -399,11 +399,14 @@ TEST_F(Animate, RefusesWhatItCannotMake) {
                  "mount = tracking: --aim needs a fixed one");
   expect_refused({"animate", "2018-07-27", "-o", "no/such/film"}, "no/such: no such directory");
   expect_refused(film({"--at", "40,-100"}),
+                 "the Moon is below the horizon of 40,-100 from 2018-07-27T17:14:48Z to "
+                 "2018-07-27T23:28:41Z");
+  expect_refused(film({"--at", "40,-100", "--from", "P1", "--to", "P4"}),
                  "the Moon is below the horizon of 40,-100 in all frames");
 }
 
 TEST_F(Animate, SaysWhenTheMoonIsUp) {
-  const auto outcome = coppermoon(film({"--at", "42.3,13.4", "--frames", "10"}));
+  const auto outcome = coppermoon(film({"--at", "42.3,13.4", "--frames", "10", "--from", "P1"}));
   EXPECT_EQ(outcome.status, 1);
   EXPECT_TRUE(outcome.err.find("it is up from frame 3 (2018-07-27T") != std::string::npos)
       << outcome.err;

@@ -74,6 +74,36 @@ TEST(MoonInclude, LightsTheGroundByItsIlluminanceAndAddsStarsToTheSky) {
   EXPECT_GT(star, sky);
 }
 
+TEST(MoonInclude, HidesAMoonBelowTheHorizonUnlessEnlargedItReachesAboveIt) {
+  MoonInSky moon{};
+  moon.texture = "moon.exr";
+  moon.view.moon_distance = algebra::metres(384400e3);
+  moon.place = {degrees(-1), degrees(0)};
+  const std::string hidden = "no_image no_reflection";
+  EXPECT_EQ(moon_include(moon).find(hidden), std::string::npos);
+  moon.up = false;
+  const auto luminance = [&](double enlarged) {
+    const TemporaryFolder folder;
+    uniform_texture(1000).write((folder.path / "moon.exr").string());
+    std::ofstream(folder.path / "moon.inc") << moon_include(moon);
+    std::ofstream(folder.path / "coppermoon.inc") << coppermoon_inc();
+    write_scene(folder.path, {.camera = {.position = {221, 0, 0},
+                                         .up = {0, 0, 1},
+                                         .horizontal_field = degrees(60),
+                                         .width = 16,
+                                         .height = 16},
+                              .texture = "moon.exr",
+                              .sampling_depth = 0});
+    std::ofstream(folder.path / scene_file)
+        << "#version 3.7;\nglobal_settings { assumed_gamma 1.0 }\n#include \"moon.inc\"\n"
+        << "camera { right x up y angle 0.2 look_at Coppermoon_Direction(-1, 0) }\n"
+        << "object { Eclipsed_Moon(" << enlarged << ", 1e6) }\n";
+    return Luminance(render(folder.path)).at(8, 8);
+  };
+  EXPECT_EQ(luminance(3), 0);
+  EXPECT_WITHIN_RELATIVE(luminance(5), 1000, 1e-3, "half floats; it is 1.3 degrees in radius");
+}
+
 TEST(MoonInclude, GivesItsLightOnceInASceneWithRadiosity) {
   const auto picture = landscape("radiosity { count 200 error_bound 0.5 }", 30, 0);
   EXPECT_WITHIN_RELATIVE(picture.at(30, 50), moonlit_ground * std::sin(altitude), 1e-3,

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "povray_scenes/sequence.h"
+#include "uses/film/film_scene.h"
 #include "uses/picture/lit_scene.h"
 
 namespace coppermoon::uses {
@@ -50,7 +51,7 @@ std::vector<std::filesystem::path> Film::files(std::size_t frame) const {
 }
 
 View view_of(const Film& film, const almanac::SkyState& sky) {
-  auto view = view_for_frame(film.view, sky).view;
+  auto view = film.scene.empty() ? view_for_frame(film.view, sky).view : scene_view(film, sky);
   view.response = film.moon.response.value_or("");
   return view;
 }

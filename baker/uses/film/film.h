@@ -42,6 +42,7 @@ struct Film {
   std::optional<double> bracket_ev;
   Products products;
   std::filesystem::path folder;
+  std::filesystem::path scene = {};  ///< of POV-Ray, of the user's own; empty: the Moon alone
   Moments moments{};
   FilmRecord record{};
   std::shared_ptr<const Moonlight> light{};
@@ -65,7 +66,7 @@ struct Film {
   std::vector<std::filesystem::path> files(std::size_t frame) const;
 };
 
-/// View of the camera at a frame's moment.
+/// View of the camera at a frame's moment; of a scene that has its own: scene_view.
 View view_of(const Film& film, const almanac::SkyState& sky);
 
 }  // namespace coppermoon::uses

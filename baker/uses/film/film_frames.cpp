@@ -18,6 +18,7 @@
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 #include "uses/film/film_folder.h"
+#include "uses/film/film_scene.h"
 #include "uses/light/header.h"
 #include "uses/light/spectral_bands.h"
 #include "uses/picture/disc_outline.h"
@@ -137,6 +138,24 @@ MadeFrame finished(const Film& film, const Rendered& rendered, const LinearFrame
 
 using WhenMade = std::function<void(const MadeFrame&)>;
 
+/// Facts of a frame; of a scene's none, since the disc may be anywhere in it.
+SeenFrame seen_of(const Film& film, const FrameSky& sky, const View& view) {
+  return film.scene.empty() ? seen_by(view, sky) : SeenFrame{};
+}
+
+/// Has the user's scene rendered for each frame, and develops it.
+void render_scene(const Film& film, Frames frames, int threads, const WhenMade& when_made) {
+  for (const std::size_t frame : frames) {
+    const auto sky = film.sky(frame);
+    const auto view = view_of(film, sky);
+    const auto lit = lit_of(film, sky, view);
+    const LitScene scene{lit, view, moon_of(film, lit, frame), {view, lit}};
+    const LinearFrame light{rendered_scene(film, frame, scene, threads)};
+    when_made(finished(film, {frame, scene.texture.attributes, {}, view.camera},
+                       in_space(light, picture_space, space_of(film.content))));
+  }
+}
+
 /// Bakes a batch of frames, has one process of POV-Ray render it, and develops each frame as it comes.
 void render(const Film& film, Frames frames, int threads, const WhenMade& when_made) {
   const files::TemporaryFolder folder;
@@ -192,7 +211,7 @@ void expose(const Film& film, std::size_t frame, const WhenMade& when_made) {
   const auto moon = moon_of(film, lit, frame);
   if (film.products.textures && !is_own(film, film.texture(frame), frame))
     write_texture(film, frame, moon);
-  auto made = finished(film, {frame, moon.attributes, seen_by(view, {view, lit}), view.camera},
+  auto made = finished(film, {frame, moon.attributes, seen_of(film, {view, lit}, view), view.camera},
                        {texture::read_image(film.linear_frame(frame))});
   made.developed_again = true;
   when_made(made);
@@ -261,7 +280,8 @@ void make_frames(const Film& film, const std::vector<std::size_t>& frames, const
         expose(film, frame, when_made);
       else
         unseen.push_back(frame);
-    if (!unseen.empty()) render(film, unseen, threads, when_made);
+    if (!unseen.empty())
+      (film.scene.empty() ? render : render_scene)(film, unseen, threads, when_made);
   };
   const auto work = [&] {
     try {

@@ -10,6 +10,7 @@
 #include "almanac/calendar.h"
 #include "files/temporary_folder.h"
 #include "files/whole_file.h"
+#include "uses/film/film_scene.h"
 #include "uses/light/spectral_bands.h"
 #include "uses/picture/lit_scene.h"
 
@@ -20,6 +21,7 @@ namespace {
 /// rendering.
 void require_content(const Film& film) {
   require_sound(film.content);
+  if (!film.scene.empty()) require_scene(film);
   if (film.products.mipmapped &&
       (film.products.framed() || film.content.passes || film.content.spectral_nm))
     throw algebra::Error(
@@ -71,9 +73,10 @@ void mount(Film& film, const Mounting& mounting) {
       mounting.aim ? *mounting.aim : apparent_place(*film.view.observer, film.sky(half_way));
 }
 
-/// Refuses a Moon below the horizon in any of a few hundred frames, spread evenly.
+/// Refuses a Moon below the horizon in any of a few hundred frames, spread evenly; a landscape needs none.
 void require_up(const Film& film, const std::vector<std::size_t>& frames) {
-  if (!film.view.observer || film.products.light_alone() || frames.empty()) return;
+  if (!film.scene.empty() || !film.view.observer || film.products.light_alone() || frames.empty())
+    return;
   const std::size_t step = std::max<std::size_t>(1, frames.size() / 240);
   std::vector<std::size_t> up, down;
   const auto look = [&](std::size_t frame) {

@@ -30,7 +30,7 @@ struct Mounting {
 /// Given   frames  to be made
 /// Throws  Error   for all that can be refused before any work: textures that POV-Ray does not read, an unsound
 ///                 exposure or view, a fixed mount without an observer, an aim without a fixed mount, a Moon
-///                 below the horizon in any of a few hundred frames, a path where no folder can be, an albedo
+///                 below the horizon in any of a few hundred frames, unless there is a scene; as require_scene; a path where no folder can be, an albedo
 ///                 map that cannot be read
 void set_up(Film& film, const Mounting& mounting, const std::vector<std::size_t>& frames);
 

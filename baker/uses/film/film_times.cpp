@@ -10,6 +10,7 @@
 #include <string>
 
 #include "algebra/error.h"
+#include "atmosphere/astronomical_refraction.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -60,11 +61,27 @@ std::size_t count_of(const FilmTimes& times, double seconds) {
   return frames;
 }
 
-/// Rise or set between a moment when the Moon is up and one when it is down, to a second; the Moon is still up.
+/// Whether a frame shows some of the Moon: its upper limb, flattened as in the frame, stands an arcminute above the
+/// horizon.
+bool is_seen(const ViewRequest& view, const almanac::SkyState& sky) {
+  constexpr double arcminute = 1. / 60;
+  if (!view.observer) return true;
+  const auto& observer = *view.observer;
+  const double above_deg = algebra::in_degrees(above_horizon(observer, sky));
+  if (above_deg <= 0 || above_deg > 1) return above_deg > 0;
+  const double semidiameter = std::asin(almanac::lunar_radius /
+                                        almanac::view_from(observer, sky).moon_distance),
+               limb = algebra::in_radians(apparent_place(observer, sky).altitude) +
+                      view_of(view, sky).camera.flattening * semidiameter;
+  const auto horizon = atmosphere::apparent_altitude(horizon_altitude(observer));
+  return algebra::in_degrees(algebra::radians(limb) - horizon) > arcminute;
+}
+
+/// Rise or set between a moment when the Moon is seen and one when it is not, to a second; it is still seen.
 Instant edge_of(const ViewRequest& view, Instant up, Instant down) {
   while (std::abs(almanac::seconds_between(up, down)) > 1) {
     const auto middle = almanac::later(up, almanac::seconds_between(up, down) / 2);
-    (moon_is_up(view, almanac::sky_at(middle)) ? up : down) = middle;
+    (is_seen(view, almanac::sky_at(middle)) ? up : down) = middle;
   }
   return up;
 }
@@ -73,13 +90,13 @@ Instant edge_of(const ViewRequest& view, Instant up, Instant down) {
 
 std::pair<Instant, Instant> while_up(const ViewRequest& view, const Instant& from,
                                      const Instant& to) {
-  constexpr double step_s = 120;
+  constexpr double step_s = 300;
   const double seconds = almanac::seconds_between(from, to);
   std::optional<std::pair<Instant, Instant>> found;
   Instant before = from;
   for (double passed = 0; passed < seconds + step_s; passed += step_s) {
     const auto now = almanac::later(from, std::min(passed, seconds));
-    const bool up = moon_is_up(view, almanac::sky_at(now));
+    const bool up = is_seen(view, almanac::sky_at(now));
     if (up && !found) found = {passed == 0 ? from : edge_of(view, now, before), now};
     if (up) found->second = now;
     if (!up && found) return {found->first, edge_of(view, before, now)};

@@ -91,6 +91,7 @@ void write_moon_include(const std::filesystem::path& folder, const LitScene& sce
   if (!scene.view.observer) return;
   const auto& sky = scene.moon.sky;
   const auto view = almanac::view_from(*scene.view.observer, sky);
+  const bool up = moon_is_up(request, sky);
   const ClearSky over(*scene.view.observer, sky, air_over(*scene.view.observer, request),
                       magnitudes_above(scene.moon)[V_band]);
   const povray_scenes::MoonInSky moon{
@@ -101,7 +102,8 @@ void write_moon_include(const std::filesystem::path& folder, const LitScene& sce
       .place = apparent_place(*scene.view.observer, sky),
       .sun_altitude = over.sun_altitude(),
       .sky_cd_m2 = over.zenith_cd_m2(),
-      .illuminance_lux = illuminance_seen(scene.moon)};
+      .illuminance_lux = up ? illuminance_seen(scene.moon) : std::array{0., 0., 0.},
+      .up = up};
   const auto write = [&](const char* file, std::string_view text) {
     files::write_whole(folder / file, files::stamped(text, "//"));
   };

@@ -47,10 +47,14 @@ void add_times(CLI::App& verb, FilmOptions& options) {
   const std::string moments =
       "moment in UTC, or a contact: P1, U1, U2, greatest, U3, U4, P4, as P1-10min or U2+90s; or ";
   add_flag(verb, "--from", options.from,
-           moments + "moonrise: P1, or where the Moon rises later at the place of --at, its rise")
+           moments +
+               "moonrise: P1, or where the Moon rises later at the place of --at, its rise; "
+               "by default P1 means the same")
       .in(film_group);
   add_flag(verb, "--to", options.to,
-           moments + "moonset: P4, or where the Moon sets before at the place of --at, its set")
+           moments +
+               "moonset: P4, or where the Moon sets before at the place of --at, its set; "
+               "by default P4 means the same")
       .in(film_group);
   add_flag(verb, "--frames", options.frames,
            "number of frames, 1 to 1000000, evenly from the first moment to the last; default: 240")
@@ -125,6 +129,13 @@ void add_making(CLI::App& verb, FilmOptions& options) {
            "ALTITUDE,AZIMUTH that a fixed mount points at [degrees, azimuth from north through "
            "east]; default: where the Moon is half way")
       .in(film_group)
+      .of(request::Affects::frame);
+  add_flag(
+      verb, "--scene", options.scene,
+      "POV-Ray scene of your own, .pov: each frame is this scene beside moon.inc, sky and stars "
+      "of its moment (see `coppermoon scene`), with frame_number and a clock from 0 to 1")
+      .in(film_group)
+      .reads_file()
       .of(request::Affects::frame);
   add_flag(verb, "--bracket", options.bracket_ev,
            "stops: pictures so much under and over are made too, 0.01 to 10")
@@ -243,6 +254,28 @@ uses::FilmTimes times_of(const FilmOptions& options, const uses::ViewRequest& vi
           .duration_s = options.duration_s,
           .moments = moments_in(options.moments, eclipse, context),
           .first_frame = options.start_frame.value_or(1)};
+}
+
+void keep_to_the_moon(uses::FilmTimes& times, request::Parameters& parameters,
+                      const uses::ViewRequest& view) {
+  auto &from = *parameters.find("from"), &to = *parameters.find("to");
+  if (!view.observer || !times.moments.empty() || (from.given && to.given)) return;
+  const auto [first, last] = uses::while_up(view, times.from, times.to);
+  const bool rises = !from.given && almanac::seconds_between(times.from, first) > 0,
+             sets = !to.given && almanac::seconds_between(last, times.to) > 0;
+  if (!rises && !sets) return;
+  const auto keep = [](request::Parameter& parameter, almanac::Instant& when, bool changes,
+                       const char* word, const almanac::Instant& edge) {
+    if (changes) {
+      parameter.take({word});
+      when = edge;
+    }
+    return fmt::format("{}, {} UTC", parameter.text(),
+                       almanac::time_of_day_text(when).substr(0, 5));
+  };
+  const auto begin = keep(from, times.from, rises, "moonrise", first),
+             end = keep(to, times.to, sets, "moonset", last);
+  fmt::print(stderr, "coppermoon: from {}, to {}\n", begin, end);
 }
 
 uses::Products products_of(const FilmOptions& options) {

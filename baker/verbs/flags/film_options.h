@@ -27,7 +27,7 @@ struct FilmOptions {
   std::string moments = {};
   std::string make = "pictures", range = {}, shard = "1/1";
   uses::Mount mount = uses::Mount::tracking;
-  std::string aim = {};
+  std::string aim = {}, scene = {};
   std::optional<double> bracket_ev = {};
   bool hdr = false;
   std::string contact_sheet = {}, movie = {}, composite = {}, stage = {};
@@ -49,6 +49,13 @@ eclipse::Eclipse eclipse_of(const FilmOptions& options,
 ///
 /// Throws  Error  as eclipse_of; when a moment is none; for those two without an observer, or where the Moon is never up
 uses::FilmTimes times_of(const FilmOptions& options, const uses::ViewRequest& view = {});
+
+/// Lets a film begin at moonrise and end at moonset where nobody asks for another begin or end and the observer's Moon rises
+/// later or sets before: changes the times, and the parameters for the recipe; says so on stderr.
+///
+/// Throws  Error  where the Moon is below the horizon all the time
+void keep_to_the_moon(uses::FilmTimes& times, request::Parameters& parameters,
+                      const uses::ViewRequest& view);
 
 /// "light" alone, or "textures", "scenes" (with their textures), "frames", "pictures", with commas
 /// between; pictures of high dynamic range too; and what files of the whole film are made of.

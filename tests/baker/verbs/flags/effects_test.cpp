@@ -385,7 +385,7 @@ const std::set<std::string, std::less<>>& effective_by_themselves() {
       "folder", "job", "dry-run", "replace", "shard", "keep", "add", "stars", "sky",
       // of a film: a run may make what a later one needs, and its folder keeps all of them
       "frames", "fps", "start-frame", "time-scale", "duration", "moments", "make", "range", "mount",
-      "aim", "bracket", "caption", "space", "type", "spectral", "passes",
+      "aim", "scene", "bracket", "caption", "space", "type", "spectral", "passes",
       // of textures, domes, strips and measurements
       "albedo-map", "photometry", "ground", "texture-width", "unshadowed", "width", "moon",
       "ground-albedo", "scale", "exposure", "bins", "coding", "response", "time", "danjon",

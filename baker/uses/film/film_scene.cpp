@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "uses/film/film_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "algebra/error.h"
+#include "atmosphere/astronomical_refraction.h"
+#include "files/fingerprint.h"
+#include "files/own_file.h"
+#include "files/temporary_folder.h"
+#include "files/whole_file.h"
+#include "povray_scenes/moon_include.h"
+#include "povray_scenes/own_scene.h"
+#include "texture/read_image.h"
+#include "uses/dome/dome.h"
+
+namespace coppermoon::uses {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* stars_name = "eclipse_stars.inc";
+
+/// Adds the bytes of a file and of those beside it that it names; each once. Ours, which are of the frame, are left out.
+void add_contents(const fs::path& file, std::set<fs::path>& seen, std::string& all) {
+  static const std::set<fs::path> ours{"moon.inc", "coppermoon.inc", stars_name};
+  std::error_code none;
+  if (ours.contains(file.filename()) || !fs::is_regular_file(file, none) ||
+      !seen.insert(file).second)
+    return;
+  const auto bytes = files::bytes_of(file);
+  all += fmt::format("{}\n{}", bytes.size(), bytes);
+  if (file.extension() != ".inc" && file.extension() != ".pov") return;
+  std::istringstream words(bytes);
+  for (std::string word; std::getline(words, word, '"');)
+    if (!word.empty()) add_contents((file.parent_path() / word).lexically_normal(), seen, all);
+}
+
+}  // namespace
+
+void require_scene(const Film& film) {
+  const auto scene = film.scene.string();
+  if (film.scene.extension() != ".pov")
+    throw algebra::Error(fmt::format("{}: a scene of POV-Ray ends in .pov", scene));
+  if (!fs::is_regular_file(film.scene)) throw algebra::Error(fmt::format("{}: not found", scene));
+  if (!film.view.observer)
+    throw algebra::Error(fmt::format("{}: has a sky, allowed with a place of the observer", scene));
+  if (film.products.textures || film.products.scenes)
+    throw algebra::Error(
+        fmt::format("{}: shows frames and pictures, allowed without textures", scene));
+}
+
+View scene_view(const Film& film, const almanac::SkyState& sky) {
+  auto view = view_of({.width = film.view.width, .height = film.view.height}, sky);
+  const auto& observer = *film.view.observer;
+  view.observer = observer;
+  view.stars = film.view.stars;
+  view.refracted = film.view.flattening;
+  if (film.view.reddening)
+    view.sightline = {
+        air_over(observer, film.view),
+        std::max(almanac::view_from(observer, sky).altitude, atmosphere::lowest_true_altitude)};
+  return view;
+}
+
+std::string scene_contents(const fs::path& scene) {
+  std::set<fs::path> seen;
+  std::string all;
+  add_contents(fs::absolute(scene), seen, all);
+  return fmt::format("{:016x}", files::fingerprint(all));
+}
+
+texture::Image rendered_scene(const Film& film, std::size_t frame, const LitScene& scene,
+                              int threads) {
+  const files::TemporaryFolder temporary;
+  const auto& folder = temporary.path();
+  texture::write_exr(folder / fmt::format("{}.exr", texture_stem), scene.texture.parts,
+                     scene.texture.attributes, {.packed = false});
+  write_moon_include(folder, scene, film.view);
+  if (!fs::exists(folder / stars_name))  // without stars a scene that asks for them is sound
+    files::write_whole(folder / stars_name, povray_scenes::star_include("no stars", {}));
+  write_sky(folder / povray_scenes::sky_file, scene.moon, film.view);
+  const auto& moments = film.moments;
+  try {
+    return texture::read_image(povray_scenes::render_own(folder,
+                                                         {.file = film.scene,
+                                                          .width = film.view.width,
+                                                          .height = film.view.height,
+                                                          .frame = frame,
+                                                          .first = moments.first_frame,
+                                                          .last = moments.last_frame()},
+                                                         {.threads = threads}));
+  } catch (const algebra::Error& error) {
+    throw algebra::Error(fmt::format("{}: frame {}: {}", film.scene.string(), frame, error.what()));
+  }
+}
+
+}  // namespace coppermoon::uses
