@@ -58,26 +58,34 @@ std::array<double, airs> shares_of(const ObserverAir& air) {
   shares[beyond < 0 ? clear : hazy] =
       beyond / std::log((beyond < 0 ? clear_aerosol : hazy_aerosol) / standard_aerosol);
   shares[more_ozone] = (air.ozone_du - standard_du) / (more_du - standard_du);
-  shares[high] = (1 - pressure_ratio_us_1976(air.elevation_m)) / (1 - pressure_ratio_us_1976(high_m));
+  shares[high] =
+      (1 - pressure_ratio_us_1976(air.elevation_m)) / (1 - pressure_ratio_us_1976(high_m));
   double others = 0;
   for (const Air other : {clear, hazy, more_ozone, high}) others += shares[other];
   shares[standard] = 1 - others;
   return shares;
 }
 
-/// Logarithms of light for a Sun and an air: [altitude][azimuth][channel].
+/// Logarithms of light for a Sun and an air: [altitude][azimuth][channel]. Below the table's last Sun all of it falls as its
+/// mean does before.
 std::vector<double> light_under(const LightTable& table, double sun_deg,
                                 const std::array<double, airs>& shares) {
-  std::vector<double> suns, lights(table.suns_deg.size()), light(table.of_a_sun());
-  for (const double sun : table.suns_deg) suns.push_back(-sun);
+  const auto& suns_deg = table.suns_deg;
+  std::vector<double> suns, lights(suns_deg.size()), light(table.of_a_sun());
+  for (const double sun : suns_deg) suns.push_back(-sun);
+  const auto last = suns.size() - 1;
+  double fall = 0;
   for (std::size_t i = 0; i < light.size(); ++i) {
     for (std::size_t s = 0; s < suns.size(); ++s) {
       lights[s] = 0;
       for (std::size_t air = 0; air < airs; ++air)
         if (shares[air] != 0) lights[s] += shares[air] * table.at(air, s, i);
     }
-    light[i] = algebra::MonotoneCubic(suns, lights)(-sun_deg);
+    light[i] = algebra::MonotoneCubic(suns, lights)(std::min(-sun_deg, suns[last]));
+    fall += (lights[last - 1] - lights[last]) / (suns[last] - suns[last - 1]);
   }
+  const double below_deg = std::max(suns_deg[last] - sun_deg, 0.);
+  for (double& each : light) each -= below_deg * fall / static_cast<double>(light.size());
   return light;
 }
 
@@ -100,6 +108,29 @@ std::array<double, columns> around(const std::array<double, azimuths_deg.size()>
   return light;
 }
 
+/// Leaves one maximum along a vertical: what interpolation between Suns puts into it is less than 1 %.
+void fill_dips(std::vector<double>& up) {
+  const auto greatest = std::ranges::max_element(up);
+  for (auto i = up.begin(); i != greatest; ++i) *(i + 1) = std::max(*i, *(i + 1));
+  for (auto i = up.end() - 1; i > greatest; --i) *(i - 1) = std::max(*i, *(i - 1));
+}
+
+/// Coordinate along a vertical in which light bends evenly.
+double height_of(double altitude_deg) { return std::log(altitude_deg + 1.5); }
+
+/// Spreads the kinks that a cubic of continuous slope has at its nodes over half a degree.
+void round_kinks(std::array<double, rows>& light) {
+  constexpr int passes = 10;
+  for (int pass = 0; pass < passes; ++pass) {
+    double before = light[0];
+    for (std::size_t r = 1; r + 1 < rows; ++r) {
+      const double here = light[r];
+      light[r] = (before + 2 * here + light[r + 1]) / 4;
+      before = here;
+    }
+  }
+}
+
 }  // namespace
 
 TwilightSky::TwilightSky(algebra::Angle sun_altitude, const ObserverAir& air)
@@ -109,6 +140,8 @@ TwilightSky::TwilightSky(algebra::Angle sun_altitude, const ObserverAir& air)
   algebra::require_within("altitude of the Sun [degrees]", sun_deg, -90, 5);
   const auto nodes = light_under(table, sun_deg, shares_of(air));
   const auto& altitudes = table.altitudes_deg;
+  std::vector<double> heights;
+  for (const double altitude : altitudes) heights.push_back(height_of(altitude));
   for (std::size_t k = 0; k < channels; ++k) {
     std::vector<std::array<double, columns>> levels;
     for (std::size_t a = 0; a < altitudes.size(); ++a) {
@@ -120,9 +153,13 @@ TwilightSky::TwilightSky(algebra::Angle sun_altitude, const ObserverAir& air)
     std::vector<double> up(altitudes.size());
     for (std::size_t c = 0; c < columns; ++c) {
       for (std::size_t a = 0; a < up.size(); ++a) up[a] = levels[a][c];
-      const algebra::MonotoneCubic vertical(altitudes, up);
+      fill_dips(up);
+      const algebra::MonotoneCubic vertical(heights, up);
+      std::array<double, rows> light{};
+      for (std::size_t r = 0; r < rows; ++r) light[r] = vertical(height_of(double(r) * row_deg));
+      round_kinks(light);
       for (std::size_t r = 0; r < rows; ++r)
-        light_[r * columns + c][k] = static_cast<float>(std::exp(vertical(double(r) * row_deg)));
+        light_[r * columns + c][k] = static_cast<float>(std::exp(light[r]));
     }
   }
 }

@@ -11,7 +11,7 @@ namespace coppermoon::atmosphere {
 
 /// Twilight of a clear sky in every direction: sunlight that round air scatters any number of times.
 ///
-/// Interpolates the logarithms of twilight_sky.csv: by the Sun's altitude, below its last, -16 degrees, with the slope
+/// Interpolates the logarithms of twilight_sky.csv: by the Sun's altitude, below its last, -16 degrees, with the mean slope
 /// there; by the observer's aerosol, ozone and elevation.
 ///
 /// Given     sun_altitude  of the Sun's centre, airless; -90 to 5 degrees

@@ -7,7 +7,7 @@ Usage: make_twilight_sky.py [RUNS [twilight_sky.csv]]     else 16 runs: a quarte
 Backward Monte Carlo. Light scattered once is integrated along the line of sight. For all further orders, paths go from
 the eye through the air, their directions denser about the horizon; each place at which one scatters sees the Sun in every position
 of the table, so that all positions share the noise of the same paths. What noise is left, above 1 % with the Sun below -6 degrees, is smoothed
-in proportion to it, and a vertical keeps one maximum. Air of US 1976, ozone and its cross-section from the tables beside this
+in proportion to it. Air of US 1976, ozone and its cross-section from the tables beside this
 one; aerosol of scale height 1.5 km, Angstrom exponent 1.3, Henyey-Greenstein's g 0.7, single-scattering albedo 0.95;
 Rayleigh's optical depth by Hansen & Travis (1974), unpolarised; ground of albedo 0.2; no refraction.
 """
@@ -233,7 +233,7 @@ def radiance(air, altitude_deg, seed, paths=16000):
 
 
 def channels(light):
-    """Linear Rec.709 [cd/m2] of radiances over the Sun's irradiance."""
+    """Linear Rec.709 [cd/m2] of radiances over the Sun's irradiance, each channel above 0."""
     observer, sun = table("../../../colour/data/cie_1931_observer.csv"), table("../../photons/data/solar_irradiance_e490.csv")
     nm = np.arange(380, 781, 1.)
     weights = np.stack([np.interp(nm, observer[:, 0], observer[:, k]) for k in (1, 2, 3)], 1)
@@ -242,7 +242,8 @@ def channels(light):
     x = np.clip(nm, NM[0], NM[-1])
     j = np.clip(np.searchsorted(NM, x, side="right") - 1, 0, len(NM) - 2)
     t = (x - NM[j]) / (NM[j + 1] - NM[j])
-    return ((np.exp(logarithms[:, j] * (1 - t) + logarithms[:, j + 1] * t) @ weights) @ REC709.T).reshape(*light.shape[:-1], 3)
+    rgb = (np.exp(logarithms[:, j] * (1 - t) + logarithms[:, j + 1] * t) @ weights) @ REC709.T
+    return np.maximum(rgb, 1e-3 * rgb.max(1, keepdims=True)).reshape(*light.shape[:-1], 3)
 
 
 def bends(x):
@@ -262,34 +263,16 @@ def smoothed(values, noise):
     return np.linalg.solve(np.diag((1 / noise**2).ravel()) + stiff, (values / noise**2).ravel()).reshape(values.shape)
 
 
-def rising(values):
-    """Nearest values that never fall."""
-    blocks = []
-    for mean in values:
-        count = 1
-        while blocks and blocks[-1][0] > mean:
-            before, many = blocks.pop()
-            mean, count = (before * many + mean * count) / (many + count), many + count
-        blocks.append((mean, count))
-    return [mean for mean, count in blocks for _ in range(count)]
-
-
-def with_one_maximum(values):
-    """Nearest values that rise to one maximum and then fall."""
-    ways = [np.array(rising(values[:m]) + rising(values[m:][::-1])[::-1]) for m in range(len(values))]
-    return min((way for m, way in enumerate(ways) if m == 0 or way[m - 1] <= way[m]), key=lambda way: ((way - values)**2).sum())
-
-
 def without_noise(light, least):
     """Mean logarithms [altitude, Sun, azimuth, channel] of runs, smooth along altitude and Sun; one in the zenith."""
     mean = light.mean(0)
-    noise = light.std(0, ddof=1) / np.abs(mean) / np.sqrt(len(light)) / np.log(10)
+    noise = light.std(0, ddof=1) / mean / np.sqrt(len(light)) / np.log(10)
     noise = np.maximum(np.sqrt((noise**2).mean((2, 3))), least)
-    logarithms = np.log10(np.maximum(mean, 1e-3 * mean[..., 1:2]))
+    logarithms = np.log10(mean)
     logarithms[-1] = logarithms[-1].mean(1, keepdims=True)
-    for a in range(len(AZIMUTHS)):
-        for c in range(3):
-            logarithms[:, :, a, c] = smoothed(logarithms[:, :, a, c], noise)
+    for a, c in np.ndindex(len(AZIMUTHS), 3):
+        logarithms[:, :, a, c] = smoothed(logarithms[:, :, a, c], noise)
+    logarithms[-1] = logarithms[-1].mean(1, keepdims=True)
     return logarithms
 
 
@@ -310,9 +293,6 @@ def main():
         light = standard.copy()
         if name != "standard":
             light += without_noise(made[name] / made["standard"][:len(made[name])], 0.003)
-        for s, a, c in np.ndindex(len(SUNS), len(AZIMUTHS), 3):
-            light[:, s, a, c] = with_one_maximum(light[:, s, a, c])
-        light[-1] = light[-1].mean(1, keepdims=True)
         for s, r in np.ndindex(len(SUNS), len(ALTITUDES)):
             numbers = np.rint(1000 * light[r, s]).astype(int).ravel()
             lines.append(f"{number},{SUNS[s]:g},{ALTITUDES[r]:g}," + ",".join(map(str, numbers)))
