@@ -22,6 +22,7 @@
 #include "uses/film/frame_range.h"
 #include "uses/film/make_film.h"
 #include "uses/light/spectral_bands.h"
+#include "uses/night/eclipse_light.h"
 #include "uses/picture/picture_parameters.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/camera_options.h"
@@ -30,6 +31,7 @@
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/film_job.h"
 #include "verbs/reports/film_progress.h"
+#include "verbs/reports/in_words.h"
 #include "verbs/reports/progress_bar.h"
 
 namespace coppermoon::verbs {
@@ -117,6 +119,19 @@ void say_which_are_outside(const uses::Film& film) {
                       : "no picture holds all");
 }
 
+/// Says on stderr that the Moon cannot be seen in the twilight of the first frame or of the last, and when it can.
+void say_when_seen(const uses::Film& film) {
+  const auto& place = film.view.observer;
+  if (!place || film.view.sky_cd_m2 || !film.products.framed()) return;
+  constexpr auto dark = algebra::degrees(-12);
+  for (const auto& when : {film.moments.frames.front(), film.moments.frames.back()}) {
+    if (uses::moment_at(*place, {}, almanac::sky_at(when)).sun_altitude < dark) continue;
+    const auto night = uses::seen_circumstances(film.moments.eclipse, *place);
+    if (const auto line = unseen_in_words(night, when))
+      return fmt::print(stderr, "coppermoon: {}: {}\n", almanac::utc_text(when), *line);
+  }
+}
+
 /// Lists the files that this run would write; those of every frame where the light is not there.
 void list(uses::Film film, const std::vector<std::size_t>& frames, const uses::FilmFiles& files,
           bool replace, FilmProgress& progress) {
@@ -160,6 +175,7 @@ void run(CLI::App& verb, const Options& options) {
   FilmProgress progress(film, light_alone ? 0 : frames.size(), options.json);
   if (options.dry_run && part_of_light) return progress.file(sums_file(film, shard));
   if (options.dry_run) return list(std::move(film), frames, files, options.replace, progress);
+  if (!frames.empty()) say_when_seen(film);
   std::filesystem::create_directory(film.folder);
   const uses::FilmClaim claim(film);
   require_own(film, options.replace);

@@ -6,11 +6,13 @@
 #include <chrono>
 #include <memory>
 
+#include "eclipse/contacts.h"
 #include "files/memory.h"
 #include "files/temporary_folder.h"
 #include "files/whole_file.h"
 #include "uses/light/header.h"
 #include "uses/light/spectral_bands.h"
+#include "uses/night/eclipse_light.h"
 #include "uses/picture/picture_files.h"
 #include "uses/picture/picture_parameters.h"
 #include "verbs/command_line.h"
@@ -54,6 +56,20 @@ colour::WorkingSpace frame_space(const CLI::App& verb, const Options& options) {
   return space;
 }
 
+/// Says on stderr that the Moon cannot be seen in its sky, and from when it can.
+void say_unless_seen(const uses::LitScene& scene, const Options& options) {
+  const auto& when = scene.moon.sky.when;
+  const auto eclipse = eclipse::nearest_eclipse(when, eclipse::ShadowConvention::danjon);
+  if (!scene.view.observer || options.view.sky_cd_m2) return;
+  auto moon = options.moon.request;
+  moon.light.wish.tolerance = 0.05;  // of the light; the eye's threshold is known to some tenths
+  const uses::EclipseLight light(eclipse, moon);
+  const auto night = uses::as_seen(
+      uses::circumstances(eclipse, *scene.view.observer),
+      [&](const auto& sky) { return light.brightness(sky); }, options.view);
+  if (const auto line = unseen_in_words(night, when)) fmt::print(stderr, "coppermoon: {}\n", *line);
+}
+
 void run(const CLI::App& verb, Options options) {
   options.view = seen_through(options.develop.camera, options.view);
   options.develop.focal_length_mm = options.view.focal_length_mm;
@@ -72,8 +88,7 @@ void run(const CLI::App& verb, Options options) {
   const auto whole = frame.whole();
   const auto seen = uses::seen_by(scene.view, scene.sky);
   const auto exposures = exposures_for(options.develop, whole, uses::picture_space, seen);
-  if (const double sky = sky_over_moon(whole, uses::picture_space, seen); sky > 1)
-    fmt::print(stderr, "coppermoon: {}\n", bright_sky_in_words(sky));
+  if (sky_over_moon(whole, uses::picture_space, seen) > 1) say_unless_seen(scene, options);
   if (!options.frame.empty()) {
     auto header = uses::frame_header(scene, exposures);
     uses::say_space(header, options.space);

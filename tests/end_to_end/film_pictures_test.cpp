@@ -187,8 +187,9 @@ TEST_F(FilmPictures, AsAMovieKeepTheirLight) {
 
 TEST_F(FilmPictures, AsACompositeAreTheSumOfTheirExposures) {
   for (const bool sky : {false, true}) {
-    expect_done(coppermoon(film({"--range", "2,4", "--composite", "all.png", "--bits", "16",
-                                 "--replace", "--sky", sky ? "14" : "off"})));
+    expect_done(
+        coppermoon(film({"--range", "2,4", "--composite", "all.png", "--bits", "16", "--view",
+                         "Un-tone-mapped", "--replace", "--sky", sky ? "14" : "off"})));
     expect_composite(sky);
   }
 }

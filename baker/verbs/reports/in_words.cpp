@@ -61,6 +61,18 @@ std::string bright_sky_in_words(double sky_over_moon) {
       two_digits(sky_over_moon));
 }
 
+std::optional<std::string> unseen_in_words(const uses::Circumstances& night,
+                                           const almanac::Instant& when) {
+  if (is_seen(night, when)) return std::nullopt;
+  std::string line = "the Moon cannot be seen in its sky";
+  for (const auto& [from, to] : night.seen)
+    if (almanac::seconds_between(when, from) > 0)
+      return line + fmt::format("; it can from {}", almanac::utc_text(from));
+  return night.seen.empty() ? line + " at any time of this eclipse"
+                            : line + fmt::format("; it could until {}",
+                                                 almanac::utc_text(night.seen.back().second));
+}
+
 std::string in_words(const colour::ToneCurve& curve) {
   return fmt::format("{:+.2f} standard deviations of cameras",
                      fmt::join(components_of(curve), ", "));

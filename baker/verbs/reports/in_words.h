@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "colour/tone_curve.h"
+#include "uses/night/circumstances.h"
 #include "uses/picture/development.h"
 
 namespace coppermoon::verbs {
@@ -31,6 +33,12 @@ std::string exposure_in_words(const uses::Exposures& exposures);
 ///
 /// Given  sky_over_moon  luminance of the sky over the Moon's
 std::string bright_sky_in_words(double sky_over_moon);
+
+/// Line on a Moon that cannot be seen in its sky, and from when it can, or until when it could; nothing where it is seen.
+///
+/// Given  night  with the times in which the Moon is seen (uses::as_seen)
+std::optional<std::string> unseen_in_words(const uses::Circumstances& night,
+                                           const almanac::Instant& when);
 
 /// Difference of a camera's tone curve from the mean one: "+0.40, +0.13, +0.23 standard deviations of cameras".
 std::string in_words(const colour::ToneCurve& curve);
