@@ -89,6 +89,11 @@ Account for_file(const std::filesystem::path& file, const FilmRecord& record,
 std::string in_words(const request::Difference& difference) {
   const auto& [name, there, asked] = difference;
   if (name == "regions") return "other contents of regions";
+  const auto but_scene = [](const std::string& contents) {
+    return contents.substr(0, contents.find(" scene "));
+  };
+  if (name == "albedo-map-contents" && but_scene(there) == but_scene(asked))
+    return "other contents of scene";
   const auto of_map = [](const std::string& contents) {  // before those of a response's file
     return contents.substr(0, contents.find(' '));
   };

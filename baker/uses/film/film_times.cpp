@@ -10,7 +10,6 @@
 #include <string>
 
 #include "algebra/error.h"
-#include "atmosphere/astronomical_refraction.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -61,20 +60,9 @@ std::size_t count_of(const FilmTimes& times, double seconds) {
   return frames;
 }
 
-/// Whether a frame shows some of the Moon: its upper limb, flattened as in the frame, stands an arcminute above the
-/// horizon.
+/// Whether frames show some of the Moon, a fifth of the disc: refraction at the horizon is known to some minutes.
 bool is_seen(const ViewRequest& view, const almanac::SkyState& sky) {
-  constexpr double arcminute = 1. / 60;
-  if (!view.observer) return true;
-  const auto& observer = *view.observer;
-  const double above_deg = algebra::in_degrees(above_horizon(observer, sky));
-  if (above_deg <= 0 || above_deg > 1) return above_deg > 0;
-  const double semidiameter = std::asin(almanac::lunar_radius /
-                                        almanac::view_from(observer, sky).moon_distance),
-               limb = algebra::in_radians(apparent_place(observer, sky).altitude) +
-                      view_of(view, sky).camera.flattening * semidiameter;
-  const auto horizon = atmosphere::apparent_altitude(horizon_altitude(observer));
-  return algebra::in_degrees(algebra::radians(limb) - horizon) > arcminute;
+  return !view.observer || algebra::in_degrees(above_horizon(*view.observer, sky)) > 0.1;
 }
 
 /// Rise or set between a moment when the Moon is seen and one when it is not, to a second; it is still seen.
