@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Pictures of README.md and docs/ that no other script makes, in place: docs/pictures/*.jpg and
-# examples/pictures/telescope.png. Three minutes.
+# Pictures of README.md, docs/ and as_seen.md that no other script makes, in place: docs/pictures/*.jpg, examples/pictures/telescope.png
+# and as_seen_*.jpg. Ten minutes.
 #
 # Given  NAME …  of pictures, as start_greatest dome; without: all
 set -eu
@@ -65,22 +65,58 @@ composite() {
   picture composite 816x0 sheet.png
 }
 
+# labelled FILE TEXT: FILE with a label in its upper left corner.
+labelled() {
+  oiiotool --nosoftwareattrib "$1" --text:x=18:y=42:size=26:font=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf:color=0.9,0.9,0.9 \
+    "$2" -o "$1"
+}
+
+# half_dome NAME MOMENT PLACE FLAGS…: the sky above the horizon, developed.
+half_dome() {
+  name=$1 moment=$2 place=$3
+  shift 3
+  coppermoon dome "$moment" --at "$place" -o "$name.exr"
+  oiiotool "$name.exr" --cut 2048x512+0+0 -o "half_$name.exr"
+  coppermoon develop "half_$name.exr" "$@" -o "$name.png"
+}
+
 # Before the eclipse and in totality, one exposure.
 dome() {
-  for moment in P1 greatest; do
-    coppermoon dome "2018-07-27 $moment" --at Nairobi -o "dome_$moment.exr"
-    oiiotool "dome_$moment.exr" --cut 2048x512+0+0 -o "half_$moment.exr"
-    coppermoon develop "half_$moment.exr" --time 30 --f-number 2 --iso 800 -o "$moment.png"
-  done
-  picture dome 1024x516 P1.png greatest.png --mosaic:pad=8 1x2
+  half_dome before "2018-07-27 P1" Nairobi --time 30 --f-number 2 --iso 800
+  half_dome totality "2018-07-27 greatest" Nairobi --time 30 --f-number 2 --iso 800
+  labelled before.png "before the eclipse"
+  labelled totality.png "in totality"
+  picture dome 1920x968 before.png totality.png --mosaic:pad=8 1x2
 }
 
 povray_lake() {
-  coppermoon scene 2018-07-27 U4-40min --at 52.9,-3.9 -o lake
+  coppermoon scene 2018-07-27 U4-40min --at 52.9,-3.9 --texture-width 360 -o lake
   cp "$here/gallery/lake.pov" lake
-  (cd lake && povray lake.pov +W960 +H540 +FE +A0.0 +AM2 +R2 -J -D -V 2>log) || { cat lake/log >&2; exit 1; }
+  (cd lake && povray lake.pov +W3840 +H2160 +FE +A0.0 +AM2 +R2 -J -D -V 2>log) || { cat lake/log >&2; exit 1; }
   coppermoon develop lake/lake.exr --time 2 --f-number 4 --iso 1600 --view Filmic -o lake.png
-  picture povray_lake 960x540 lake.png
+  picture povray_lake 1920x1080 lake.png
+}
+
+# What one would see (examples/as_seen.md): pictures of a moment, of skies, and of a film.
+as_seen() {
+  pages=$here/pictures
+  for seen in "berlin 2025-09-07T18:40Z Berlin" "sydney 2022-11-08T09:19Z Sydney" "honolulu 2026-03-03T11:14Z Honolulu" \
+    "tokyo 2021-05-26T09:55Z Tokyo"; do
+    # shellcheck disable=SC2086
+    set -- $seen
+    coppermoon still "$2" --at "$3" -o "$1.png"
+    picture "as_seen_$1" 960x640 "$1.png"
+  done
+  for seen in "3 15:20" "6 15:43" "9 16:06" "12 16:27"; do
+    # shellcheck disable=SC2086
+    set -- $seen
+    half_dome "sun_$1" "2028-12-31T$2Z" Berlin
+    labelled "sun_$1.png" "the Sun at −$1°"
+  done
+  picture as_seen_skies 1280x0 sun_3.png sun_6.png sun_9.png sun_12.png --mosaic:pad=8 1x4
+  coppermoon animate 2025-09-07 --at Berlin --frames 9 --width 960 --height 640 -o film
+  picture as_seen_film 1448x320 film/frame.0001.png --resize:filter=box 480x320 film/frame.0005.png --resize:filter=box 480x320 \
+    film/frame.0009.png --resize:filter=box 480x320 --mosaic:pad=4 3x1
 }
 
 umbra() {
@@ -207,8 +243,8 @@ END
   picture blender_sky 1920x1080 sky.png
 }
 
-names="telescope start_greatest start_partial animate_try chase_map chase_camera glow composite dome povray_lake umbra explore
-blender blender_sky"
+names="telescope start_greatest start_partial animate_try chase_map chase_camera glow composite dome povray_lake as_seen umbra
+explore blender blender_sky"
 [ $# -gt 0 ] || set -- $names
 for name; do
   echo $names | tr ' ' '\n' | grep -qx -e "$name" ||
