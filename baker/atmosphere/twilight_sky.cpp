@@ -89,7 +89,7 @@ std::vector<double> light_under(const LightTable& table, double sun_deg,
   return light;
 }
 
-constexpr std::size_t rows = 361, columns = 91;
+constexpr std::size_t rows = 361, columns = 61;
 constexpr double row_deg = 90. / (rows - 1), column_deg = 180. / (columns - 1);
 
 /// Light at even azimuths from values at the nodes, level where it is even about 0 and 180 degrees.
@@ -118,9 +118,9 @@ void fill_dips(std::vector<double>& up) {
 /// Coordinate along a vertical in which light bends evenly.
 double height_of(double altitude_deg) { return std::log(altitude_deg + 1.5); }
 
-/// Spreads the kinks that a cubic of continuous slope has at its nodes over half a degree.
+/// Spreads the kinks that a cubic of continuous slope has at its nodes over a degree.
 void round_kinks(std::array<double, rows>& light) {
-  constexpr int passes = 10;
+  constexpr int passes = 16;
   for (int pass = 0; pass < passes; ++pass) {
     double before = light[0];
     for (std::size_t r = 1; r + 1 < rows; ++r) {
@@ -142,6 +142,8 @@ TwilightSky::TwilightSky(algebra::Angle sun_altitude, const ObserverAir& air)
   const auto& altitudes = table.altitudes_deg;
   std::vector<double> heights;
   for (const double altitude : altitudes) heights.push_back(height_of(altitude));
+  std::array<double, rows> row_heights{};
+  for (std::size_t r = 0; r < rows; ++r) row_heights[r] = height_of(double(r) * row_deg);
   for (std::size_t k = 0; k < channels; ++k) {
     std::vector<std::array<double, columns>> levels;
     for (std::size_t a = 0; a < altitudes.size(); ++a) {
@@ -156,7 +158,7 @@ TwilightSky::TwilightSky(algebra::Angle sun_altitude, const ObserverAir& air)
       fill_dips(up);
       const algebra::MonotoneCubic vertical(heights, up);
       std::array<double, rows> light{};
-      for (std::size_t r = 0; r < rows; ++r) light[r] = vertical(height_of(double(r) * row_deg));
+      for (std::size_t r = 0; r < rows; ++r) light[r] = vertical(row_heights[r]);
       round_kinks(light);
       for (std::size_t r = 0; r < rows; ++r)
         light_[r * columns + c][k] = static_cast<float>(std::exp(light[r]));

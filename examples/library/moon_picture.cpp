@@ -12,7 +12,7 @@ int main() {
   const almanac::Observer athens{algebra::degrees(37.98), algebra::degrees(23.73), {}};
   const auto scene =
       uses::lit_scene({}, {.observer = athens, .field_deg = 0.7, .width = 300, .height = 300}, sky);
-  const auto frame = uses::rendered(scene).whole;
+  const auto frame = uses::rendered(scene).whole();
   const uses::Development development;
   const auto space = colour::WorkingSpace::linear_rec709;
   const auto exposures = uses::exposures_for(development, frame, space);

@@ -19,8 +19,6 @@ namespace {
 
 using almanac::Instant;
 
-constexpr double longest_night_s = 13 * 3600.;
-
 double height(const almanac::Observer& place, const Instant& when) {
   return algebra::in_radians(above_horizon(place, almanac::sky_at(when)));
 }
@@ -35,13 +33,13 @@ algebra::Angle contact_angle(const std::string& name, const almanac::SkyState& s
   return algebra::radians(angle - turn * std::floor(angle / turn));
 }
 
-/// Moonrise and moonset within the night.
-std::vector<NightMoment> rises_and_sets(const Circumstances& night) {
+/// Moonrise and moonset within some hours of the greatest phase.
+std::vector<NightMoment> rises_and_sets(const Circumstances& night, double hours) {
   std::vector<NightMoment> all;
   const auto& greatest = night.eclipse.greatest;
   for (const auto& [when, rises] :
-       horizon_crossings(night.place, almanac::later(greatest, -longest_night_s),
-                         almanac::later(greatest, longest_night_s))) {
+       horizon_crossings(night.place, almanac::later(greatest, -hours * 3600),
+                         almanac::later(greatest, hours * 3600))) {
     all.push_back(moment_at(night.place, rises ? "moonrise" : "moonset", almanac::sky_at(when)));
     all.back().up = true;
   }
@@ -123,14 +121,15 @@ bool is_seen(const Circumstances& night, const Instant& when) {
   return std::ranges::any_of(night.seen, [&](const Span& span) { return holds(span, when); });
 }
 
-Circumstances circumstances(const eclipse::Eclipse& eclipse, const almanac::Observer& place) {
+Circumstances circumstances(const eclipse::Eclipse& eclipse, const almanac::Observer& place,
+                            double hours) {
   Circumstances night{eclipse, place, {}};
   for (const auto& [name, when] : contacts_of(eclipse)) {
     const auto sky = almanac::sky_at(when);
     night.moments.push_back(moment_at(place, name, sky));
     if (name != "greatest") night.moments.back().position_angle = contact_angle(name, sky);
   }
-  for (auto& moment : rises_and_sets(night)) night.moments.push_back(std::move(moment));
+  for (auto& moment : rises_and_sets(night, hours)) night.moments.push_back(std::move(moment));
   std::ranges::stable_sort(night.moments, [](const auto& a, const auto& b) {
     return almanac::seconds_between(a.when, b.when) > 0;
   });

@@ -43,7 +43,8 @@ struct Circumstances {
 /// Accuracy  0.1 s of rise and set, by the Moon's place; weather changes refraction, and so the time by a
 ///           minute or more; position angles 0.3° of the shadow's edge, which is not quite round
 /// Throws    Error  as require_on_earth
-Circumstances circumstances(const eclipse::Eclipse& eclipse, const almanac::Observer& place);
+Circumstances circumstances(const eclipse::Eclipse& eclipse, const almanac::Observer& place,
+                            double hours = 13);
 
 /// Moment of a night.
 NightMoment moment_at(const almanac::Observer& place, std::string name,

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 #include "atmosphere/eye_contrast.h"
 #include "colour/working_space.h"
@@ -16,6 +18,8 @@ namespace coppermoon::uses {
 namespace {
 
 using almanac::Instant;
+
+constexpr double brighter_than_any_sky = std::numeric_limits<double>::infinity();
 
 constexpr double between_skies_s = 240, between_looks_s = 300;
 
@@ -76,9 +80,13 @@ void add_edges(Circumstances& night) {
 }  // namespace
 
 EclipseLight::EclipseLight(const eclipse::Eclipse& eclipse, const MoonRequest& moon,
-                           const algebra::Progress& progress, std::size_t rows)
+                           const algebra::Progress& progress)
+    : EclipseLight(eclipse, moon, small_albedo(moon, 180), progress) {}
+
+EclipseLight::EclipseLight(const eclipse::Eclipse& eclipse, const MoonRequest& moon,
+                           algebra::Grid<float> albedo, const algebra::Progress& progress)
     : moon_(moon),
-      albedo_(small_albedo(moon, rows)),
+      albedo_(std::move(albedo)),
       light_(light_on_the_way(moon.light, moon_on_its_way(moon.light, skies_of(eclipse)),
                               {.error_told = false}, progress)),
       survey_(moon, albedo_, light_) {}
@@ -119,7 +127,9 @@ Circumstances as_seen(Circumstances night, const BrightnessAt& brightness,
   for (const auto& up : night.up)
     for (const auto& span : spans_of(up, [&](const Instant& when) {
            const auto sky = almanac::sky_at(when);
-           return moon_and_sky(brightness(sky), sky, view).stands_out();
+           const auto above = brightness(sky);
+           return above.mean_luminance_cd_m2 == brighter_than_any_sky ||
+                  moon_and_sky(above, sky, view).stands_out();
          }))
       night.seen.push_back(span);
   add_edges(night);
@@ -127,19 +137,24 @@ Circumstances as_seen(Circumstances night, const BrightnessAt& brightness,
 }
 
 Circumstances seen_circumstances(const eclipse::Eclipse& eclipse, const almanac::Observer& place) {
-  constexpr std::size_t few_rows = 60;
+  static const auto usual_albedo = small_albedo({}, 60);
   std::optional<EclipseLight> light;
   const auto brightness = [&](const almanac::SkyState& sky) -> DiscBrightness {
     const auto then = moment_at(place, {}, sky);
-    if (algebra::in_degrees(then.moon.altitude) > 12 &&
-        algebra::in_degrees(then.sun_altitude) < -14)
-      return {std::vector(photometric_bands().size(), 0.), 1., 0.};  // brighter than any such sky
+    const double moon_deg = algebra::in_degrees(then.moon.altitude),
+                 sun_deg = algebra::in_degrees(then.sun_altitude);
+    const auto& [U1, U4] = std::pair(eclipse.contacts.U1, eclipse.contacts.U4);
+    const bool in_umbra = U1 && U4 && almanac::seconds_between(*U1, sky.when) > 0 &&
+                          almanac::seconds_between(sky.when, *U4) > 0;
+    if (in_umbra ? moon_deg > 5 && sun_deg < -12 : moon_deg > 3 && sun_deg < 0)
+      return {{}, brighter_than_any_sky, 0.};
     MoonRequest moon;
     moon.light.wish.tolerance = 0.05;
-    if (!light) light.emplace(eclipse, moon, algebra::Progress(), few_rows);
+    if (!light) light.emplace(eclipse, moon, usual_albedo);
     return light->brightness(sky);
   };
-  return as_seen(circumstances(eclipse, place), brightness, {.observer = place});
+  constexpr double longest_h = 3.5;  // from P1 to the greatest phase
+  return as_seen(circumstances(eclipse, place, longest_h), brightness, {.observer = place});
 }
 
 }  // namespace coppermoon::uses

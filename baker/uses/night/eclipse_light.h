@@ -18,10 +18,12 @@ texture::Image colours_of(const MoonRequest& moon, const algebra::Grid<float>& a
 /// Moon throughout an eclipse, from one simulation.
 class EclipseLight {
  public:
-  /// Given   rows   of its textures
   /// Throws  Error  as light_on_the_way, normal_albedo
   EclipseLight(const eclipse::Eclipse& eclipse, const MoonRequest& moon,
-               const algebra::Progress& progress = {}, std::size_t rows = 180);
+               const algebra::Progress& progress = {});
+  /// Given  albedo  of the whole Moon, normal_albedo in few rows
+  EclipseLight(const eclipse::Eclipse& eclipse, const MoonRequest& moon,
+               algebra::Grid<float> albedo, const algebra::Progress& progress = {});
 
   const algebra::Grid<float>& albedo() const { return albedo_; }
   DiscBrightness brightness(const almanac::SkyState& sky) const { return survey_.brightness(sky); }

@@ -263,7 +263,7 @@ void keep_to_the_moon(uses::FilmTimes& times, request::Parameters& parameters,
   const auto [first, last] = uses::while_up(view, times.from, times.to);
   const auto keep = [&](request::Parameter& parameter, almanac::Instant& when, const char* word,
                         const almanac::Instant& edge) {
-    const bool changes = !parameter.given && almanac::seconds_between(when, edge) != 0;
+    const bool changes = !parameter.given && std::abs(almanac::seconds_between(when, edge)) > 1;
     if (changes) parameter.take({word});
     if (changes) when = edge;
     return changes;
