@@ -221,7 +221,8 @@ TEST_F(CameraTest, DevelopsAFrameAsStillDoes) {
 }
 
 TEST_F(CameraTest, LeftOutCostsNothing) {
-  make(still({"--frame", "frame.exr", "--focal-length", "1540", "--sensor-width", "22.7"}));
+  make(still({"--frame", "frame.exr", "--focal-length", "1540", "--sensor-width", "22.7", "--sky",
+              "off"}));
   make(still({"--camera", "paper", "--noise", "off", "--diffraction", "off", "--glow", "0", "--sky",
               "off", "--response", "colorimetric", "--sensor-bits", "16", "--photograph",
               "photograph.exr"}));

@@ -209,6 +209,7 @@ TEST_F(Ranges, AreThoseThatTheLibraryKeeps) {
       {"start-frame", "uses/film/film_times"},
       {"time-scale", "uses/film/film_times"},
       {"bracket", "end_to_end/film_files"},
+      {"step", "end_to_end/json"},
       {"aperture", "colour/exposure: with the focal length it makes the f-number"},
       {"f-number", "colour/exposure: with the focal length it makes the aperture"},
       {"bins", "uses/compare/comparison"},

@@ -143,8 +143,8 @@ TEST_F(FilmPictures, AsAMovieAreAllThereInOrder) {
 }
 
 TEST_F(FilmPictures, AsAMovieForEditingAreProRes) {
-  expect_done(coppermoon(
-      film({"--range", "3", "--make", "textures", "--movie", "film.mov", "--fps", "23.976"})));
+  expect_done(coppermoon(film({"--range", "3", "--make", "textures", "--movie", "film.mov", "--fps",
+                               "23.976", "--time", "auto", "--view", "Un-tone-mapped"})));
   const auto probed = run({"ffprobe", "-v", "error", "-show_entries",
                            "stream=codec_name,profile,width,height,pix_fmt,color_range,color_space,"
                            "color_transfer,color_primaries,r_frame_rate",

@@ -74,7 +74,7 @@ TEST_F(Night, IsToldInATableADocumentAndFiles) {
   expect_done(events);
   EXPECT_EQ(events.out,
             "2018-07-27-eclipse+51.5000-0.1000@coppermoon 27 19:49 23:28\n"
-            "2018-07-27-first+51.5000-0.1000@coppermoon 27 20:36 -\n"
+            "2018-07-27-first+51.5000-0.1000@coppermoon 27 20:33 -\n"
             "2018-07-27-U3+51.5000-0.1000@coppermoon 27 21:13 -\n"
             "2018-07-27-U4+51.5000-0.1000@coppermoon 27 22:19 -\n"
             "2018-07-27-P4+51.5000-0.1000@coppermoon 27 23:28 -\n");

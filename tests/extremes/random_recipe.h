@@ -144,6 +144,8 @@ inline const std::map<std::string, std::string>& keys_left_out() {
   static const std::map<std::string, std::string> all{
       {"config", "names a file; end_to_end/personal_settings and extremes/inputs try many"},
       {"config-space", "needs a config"},
+      {"from", "of a light curve; end_to_end/json and uses/picture/brightness have many"},
+      {"to", "as from"},
       {"solver", "drawn with trace and photons, in a number that a sweep has time for"},
       {"trace", "drawn with solver and photons"},
       {"photons", "drawn with solver and trace"},

@@ -340,9 +340,12 @@ std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string
   for (const auto& entry : all)
     for (auto& flag : flags_of(reading, entry))
       if (!names(mine, entry.key)) flags.push_back(std::move(flag));
-  for (const auto& own : frame_of_film(reading, recipe, mine)) {
-    const auto name = own.substr(0, own.find('=') + 1);
+  const auto forget = [&](const std::string& name) {
     std::erase_if(flags, [&](const std::string& flag) { return flag.starts_with(name); });
+  };
+  for (const auto& own : frame_of_film(reading, recipe, mine)) {
+    for (const std::string of_all : {"--from=", "--to="}) forget(of_all);
+    forget(own.substr(0, own.find('=') + 1));
     flags.push_back(own);
   }
   return flags;
