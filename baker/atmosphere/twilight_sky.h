@@ -15,8 +15,8 @@ namespace coppermoon::atmosphere {
 /// there; by the observer's aerosol, ozone and elevation.
 ///
 /// Given     sun_altitude  of the Sun's centre, airless; -90 to 5 degrees
-/// Accuracy  10 % down to a Sun at -6 degrees, 30 % at -12: the table's noise, and aerosol above places is not that
-///           of the table. Against the zenith measured on Paranal 0.1 to 0.4 mag too dark
+/// Accuracy  a quarter down to a Sun at -6 degrees, a third at -12; the zenith is 0.2 to 0.5 mag darker than measured on
+///           Paranal
 /// Omits     refraction, polarisation, aerosol of the stratosphere; light of the mesosphere
 /// Throws    Error         when the Sun's altitude or a term of the air is outside its range
 /// Source    data/make_twilight_sky.py
