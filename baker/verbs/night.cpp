@@ -372,10 +372,10 @@ void add_night(CLI::App& program) {
   add_flag(*verb,
            request::on_off("--danjon-spread", options->danjon,
                            "exposures of the middle of totality for Danjon's scale 0 to 4 too"));
-  add_flag(
-      *verb, "--focal-length", options->view.focal_length_mm,
-      "focal length of the telescope or lens [mm], 1 to 1e6: no exposure lets the Moon trail by more "
-      "than two pixels, the camera's or 4 um wide, as where no mount follows it")
+  add_flag(*verb, "--focal-length", options->view.focal_length_mm,
+           "focal length of the telescope or lens [mm], 1 to 1e6: no exposure lets the Moon trail "
+           "by more "
+           "than two pixels, the camera's or 4 um wide, as where no mount follows it")
       .within(1, 1e6);
   add_run_switch(*verb, "--csv", options->csv, "prints the moments as CSV").not_beside({{"json"}});
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");

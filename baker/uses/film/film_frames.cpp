@@ -211,8 +211,9 @@ void expose(const Film& film, std::size_t frame, const WhenMade& when_made) {
   const auto moon = moon_of(film, lit, frame);
   if (film.products.textures && !is_own(film, film.texture(frame), frame))
     write_texture(film, frame, moon);
-  auto made = finished(film, {frame, moon.attributes, seen_of(film, {view, lit}, view), view.camera},
-                       {texture::read_image(film.linear_frame(frame))});
+  auto made =
+      finished(film, {frame, moon.attributes, seen_of(film, {view, lit}, view), view.camera},
+               {texture::read_image(film.linear_frame(frame))});
   made.developed_again = true;
   when_made(made);
 }
