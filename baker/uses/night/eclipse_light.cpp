@@ -137,7 +137,8 @@ Circumstances as_seen(Circumstances night, const BrightnessAt& brightness,
 }
 
 Circumstances seen_circumstances(const eclipse::Eclipse& eclipse, const almanac::Observer& place) {
-  static const auto usual_albedo = small_albedo({}, 60);
+  const MoonRequest usual;
+  static const auto usual_albedo = small_albedo(usual, 60);
   std::optional<EclipseLight> light;
   const auto brightness = [&](const almanac::SkyState& sky) -> DiscBrightness {
     const auto then = moment_at(place, {}, sky);
