@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "povray_scenes/render.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "files/whole_file.h"
 #include "povray_scenes/process.h"
 #include "povray_scenes/scene.h"
+#include "povray_scenes/scene_text.h"
 
 namespace coppermoon::povray_scenes {
 
@@ -24,6 +30,31 @@ void render_for(const std::function<void(const std::filesystem::path& exr)>& rea
   const auto file = draft.finish(".exr", output, settings.povray);
   if (progress) progress(1);
   read(file);
+}
+
+std::filesystem::path render_own(const std::filesystem::path& folder, const OwnScene& scene,
+                                 const RenderSettings& settings) {
+  const auto file = std::filesystem::absolute(scene.file);
+  std::filesystem::create_symlink(file, folder / "scene.pov");  // POV-Ray reads plain names alone
+  std::filesystem::create_directory_symlink(file.parent_path(), folder / "scene_folder");
+  const auto last = std::max(scene.last, scene.first + 1);  // a range of one has no clock
+  MoonScene picture{.camera = {}, .texture = {}};
+  picture.camera.width = scene.width;
+  picture.camera.height = scene.height;
+  files::write_whole(
+      folder / settings_file,
+      ini_text(
+          picture, frame_file,
+          fmt::format("Input_File_Name=scene.pov\nLibrary_Path=scene_folder\nInitial_Frame={}\n"
+                      "Final_Frame={}\nHigh_Reproducibility=on\n",
+                      scene.first, last)));
+  const Draft draft(folder);
+  run_povray(settings, draft,
+             {.output = draft.stem + "..exr",
+              .subset = {fmt::format("+SF{}", scene.frame), fmt::format("+EF{}", scene.frame)},
+              .with_users_settings = true});
+  return draft.finish(fmt::format(".{:0{}}.exr", scene.frame, std::to_string(last).size()),
+                      frame_file, settings.povray);
 }
 
 }  // namespace coppermoon::povray_scenes

@@ -142,14 +142,12 @@ void run(CLI::App& verb, const Options& options) {
   const auto frames = part_of(
       uses::frames_in(options.film.range, film.moments.frames.size(), film.moments.first_frame),
       shard);
-  const bool own = !film.scene.empty();
-  set_up(film, own ? uses::Mounting{} : mounting_of(options.film, film.view.observer.has_value()),
-         frames);
+  set_up(film, mounting_of(options.film, film.view.observer.has_value()), frames);
   film.record = uses::film_record(parameters_of(verb),
                                   request::with_width(recipe_of(verb), *film.moon.texture_width));
   film.record.map_contents = map_contents(film.moon);
   film.record.view_contents = fingerprint(film.development, space_of(film.content));
-  if (own) film.record.scene_contents = uses::scene_contents(film.scene);
+  film.record.map_contents += uses::scene_contents(film.scene);
   film.record.way_out = ", or --replace";
   const auto files = files_of(options.film);
   require_makeable(files, film);

@@ -14,7 +14,7 @@
 #include "files/temporary_folder.h"
 #include "files/whole_file.h"
 #include "povray_scenes/moon_include.h"
-#include "povray_scenes/own_scene.h"
+#include "povray_scenes/render.h"
 #include "texture/read_image.h"
 #include "uses/dome/dome.h"
 
@@ -43,15 +43,13 @@ void add_contents(const fs::path& file, std::set<fs::path>& seen, std::string& a
 }  // namespace
 
 void require_scene(const Film& film) {
-  const auto scene = film.scene.string();
-  if (film.scene.extension() != ".pov")
-    throw algebra::Error(fmt::format("{}: a scene of POV-Ray ends in .pov", scene));
-  if (!fs::is_regular_file(film.scene)) throw algebra::Error(fmt::format("{}: not found", scene));
-  if (!film.view.observer)
-    throw algebra::Error(fmt::format("{}: has a sky, allowed with a place of the observer", scene));
-  if (film.products.textures || film.products.scenes)
-    throw algebra::Error(
-        fmt::format("{}: shows frames and pictures, allowed without textures", scene));
+  const auto require = [&](bool sound, const char* why) {
+    if (!sound) throw algebra::Error(fmt::format("{}: {}", film.scene.string(), why));
+  };
+  require(film.scene.extension() == ".pov", "a scene of POV-Ray ends in .pov");
+  require(fs::is_regular_file(film.scene), "not found");
+  require(film.view.observer.has_value(), "has a sky, allowed with a place of the observer");
+  require(!film.products.textures, "shows frames and pictures, allowed without textures");
 }
 
 View scene_view(const Film& film, const almanac::SkyState& sky) {
@@ -68,32 +66,28 @@ View scene_view(const Film& film, const almanac::SkyState& sky) {
 }
 
 std::string scene_contents(const fs::path& scene) {
+  if (scene.empty()) return {};
   std::set<fs::path> seen;
   std::string all;
   add_contents(fs::absolute(scene), seen, all);
-  return fmt::format("{:016x}", files::fingerprint(all));
+  return fmt::format(" scene {:016x}", files::fingerprint(all));
 }
 
 texture::Image rendered_scene(const Film& film, std::size_t frame, const LitScene& scene,
                               int threads) {
-  const files::TemporaryFolder temporary;
-  const auto& folder = temporary.path();
-  texture::write_exr(folder / fmt::format("{}.exr", texture_stem), scene.texture.parts,
+  const files::TemporaryFolder folder;
+  const auto beside = [&](const std::string& name) { return folder.path() / name; };
+  texture::write_exr(beside(texture_stem + std::string(".exr")), scene.texture.parts,
                      scene.texture.attributes, {.packed = false});
-  write_moon_include(folder, scene, film.view);
-  if (!fs::exists(folder / stars_name))  // without stars a scene that asks for them is sound
-    files::write_whole(folder / stars_name, povray_scenes::star_include("no stars", {}));
-  write_sky(folder / povray_scenes::sky_file, scene.moon, film.view);
-  const auto& moments = film.moments;
+  write_moon_include(folder.path(), scene, film.view);
+  if (!fs::exists(beside(stars_name)))  // without stars a scene that asks for them is sound
+    files::write_whole(beside(stars_name), povray_scenes::star_include("no stars", {}));
+  write_sky(beside(povray_scenes::sky_file), scene.moon, film.view);
+  const auto [width, height] = std::pair(film.view.width, film.view.height);
+  const auto first = film.moments.first_frame, last = film.moments.last_frame();
   try {
-    return texture::read_image(povray_scenes::render_own(folder,
-                                                         {.file = film.scene,
-                                                          .width = film.view.width,
-                                                          .height = film.view.height,
-                                                          .frame = frame,
-                                                          .first = moments.first_frame,
-                                                          .last = moments.last_frame()},
-                                                         {.threads = threads}));
+    return texture::read_image(povray_scenes::render_own(
+        folder.path(), {film.scene, width, height, frame, first, last}, {.threads = threads}));
   } catch (const algebra::Error& error) {
     throw algebra::Error(fmt::format("{}: frame {}: {}", film.scene.string(), frame, error.what()));
   }

@@ -113,7 +113,7 @@ void set_up(Film& film, const Mounting& mounting, const std::vector<std::size_t>
   film.view = seen_through(film.development.camera, film.view);
   film.development.focal_length_mm = film.view.focal_length_mm;
   require_exposure(film);
-  mount(film, mounting);
+  if (film.scene.empty()) mount(film, mounting);
   require_folder(film);
   require_up(film, frames);
   film.moon.texture_width = widest_texture(film);

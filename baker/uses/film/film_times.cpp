@@ -61,20 +61,12 @@ std::size_t count_of(const FilmTimes& times, double seconds) {
   return frames;
 }
 
-/// Whether a frame shows some of the Moon: its upper limb, flattened as in the frame, stands an arcminute above the
-/// horizon.
+/// Whether frames show some of the Moon: its middle is up, or less below the horizon than the flattened disc's radius, 0.2
+/// degrees or more.
 bool is_seen(const ViewRequest& view, const almanac::SkyState& sky) {
-  constexpr double arcminute = 1. / 60;
-  if (!view.observer) return true;
-  const auto& observer = *view.observer;
-  const double above_deg = algebra::in_degrees(above_horizon(observer, sky));
-  if (above_deg <= 0 || above_deg > 1) return above_deg > 0;
-  const double semidiameter = std::asin(almanac::lunar_radius /
-                                        almanac::view_from(observer, sky).moon_distance),
-               limb = algebra::in_radians(apparent_place(observer, sky).altitude) +
-                      view_of(view, sky).camera.flattening * semidiameter;
-  const auto horizon = atmosphere::apparent_altitude(horizon_altitude(observer));
-  return algebra::in_degrees(algebra::radians(limb) - horizon) > arcminute;
+  if (!view.observer || !moon_is_up(view, sky)) return !view.observer;
+  const auto horizon = atmosphere::apparent_altitude(horizon_altitude(*view.observer));
+  return algebra::in_degrees(apparent_place(*view.observer, sky).altitude - horizon) > -0.17;
 }
 
 /// Rise or set between a moment when the Moon is seen and one when it is not, to a second; it is still seen.

@@ -46,8 +46,8 @@ struct Moments {
 ///                duration are given that disagree
 Moments moments_of(const FilmTimes& times);
 
-/// Interval between two moments in which frames show the Moon, by an arcminute of it or more, to a second. Of a Moon that
-/// sets and rises again: until it sets.
+/// Interval between two moments in which frames show some of the Moon, to a second. Of a Moon that sets
+/// and rises again: until it sets.
 ///
 /// Throws  Error  when it is below the horizon all the time
 std::pair<almanac::Instant, almanac::Instant> while_up(const ViewRequest& view,

@@ -261,21 +261,19 @@ void keep_to_the_moon(uses::FilmTimes& times, request::Parameters& parameters,
   auto &from = *parameters.find("from"), &to = *parameters.find("to");
   if (!view.observer || !times.moments.empty() || (from.given && to.given)) return;
   const auto [first, last] = uses::while_up(view, times.from, times.to);
-  const bool rises = !from.given && almanac::seconds_between(times.from, first) > 0,
-             sets = !to.given && almanac::seconds_between(last, times.to) > 0;
-  if (!rises && !sets) return;
-  const auto keep = [](request::Parameter& parameter, almanac::Instant& when, bool changes,
-                       const char* word, const almanac::Instant& edge) {
-    if (changes) {
-      parameter.take({word});
-      when = edge;
-    }
-    return fmt::format("{}, {} UTC", parameter.text(),
-                       almanac::time_of_day_text(when).substr(0, 5));
+  const auto keep = [&](request::Parameter& parameter, almanac::Instant& when, const char* word,
+                        const almanac::Instant& edge) {
+    const bool changes = !parameter.given && std::abs(almanac::seconds_between(when, edge)) > 1;
+    if (changes) parameter.take({word});
+    if (changes) when = edge;
+    return changes;
   };
-  const auto begin = keep(from, times.from, rises, "moonrise", first),
-             end = keep(to, times.to, sets, "moonset", last);
-  fmt::print(stderr, "coppermoon: from {}, to {}\n", begin, end);
+  const bool rises = keep(from, times.from, "moonrise", first);
+  if (!keep(to, times.to, "moonset", last) && !rises) return;
+  const auto text = [](const request::Parameter& parameter, const almanac::Instant& when) {
+    return fmt::format("{}, {:.5} UTC", parameter.text(), almanac::time_of_day_text(when));
+  };
+  fmt::print(stderr, "coppermoon: from {}, to {}\n", text(from, times.from), text(to, times.to));
 }
 
 uses::Products products_of(const FilmOptions& options) {
