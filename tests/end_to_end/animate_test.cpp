@@ -410,6 +410,12 @@ TEST_F(Animate, SaysWhenTheMoonIsUp) {
   EXPECT_EQ(outcome.status, 1);
   EXPECT_TRUE(outcome.err.find("it is up from frame 3 (2018-07-27T") != std::string::npos)
       << outcome.err;
+  // 700 m high, where the horizon is a degree lower
+  const auto rising =
+      coppermoon(film({"--at", "Ohrid", "--frames", "1", "--make", "frames", "--stars", "off"}));
+  EXPECT_TRUE(rising.err.starts_with("coppermoon: from moonrise, 1")) << rising.err;
+  const auto first = texture::read_image(here("film/frame_lin_rec709.0001.exr"));
+  EXPECT_GT(std::ranges::max(first.values), 0) << "some of the Moon is in the first frame";
 }
 
 }  // namespace

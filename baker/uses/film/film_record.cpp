@@ -25,44 +25,37 @@ constexpr const char *recipe_attribute = "coppermoon:recipe",
                      *version_attribute = "coppermoon:version",
                      *map_attribute = "coppermoon:albedo_map_contents",
                      *view_attribute = "coppermoon:view_contents",
-                     *scene_attribute = "coppermoon:scene_contents",
-                     *view_contents_name = "view-contents", *scene_contents_name = "scene-contents";
+                     *view_contents_name = "view-contents";
 
 /// Recipe of a file, with the program's version and the fingerprints of the map and the view as parameters.
 using Account = std::string;
 
 Account account_of(const std::string& recipe, std::string_view version, std::string_view map,
-                   std::string_view view, std::string_view scene) {
-  return fmt::format(
-      "version = {}\nalbedo-map-contents = {}\n{} = {}\n{}{}", version, map, view_contents_name,
-      view, scene.empty() ? "" : fmt::format("{} = {}\n", scene_contents_name, scene), recipe);
-}
-
-Account account_of(const FilmRecord& record, const std::string& recipe) {
-  return account_of(recipe, version(), record.map_contents, record.view_contents,
-                    record.scene_contents);
+                   std::string_view view) {
+  return fmt::format("version = {}\nalbedo-map-contents = {}\n{} = {}\n{}", version, map,
+                     view_contents_name, view, recipe);
 }
 
 Account planned_account(const FilmRecord& record) {
-  return account_of(record, record.work ? with_work(record.recipe, *record.work) : record.recipe);
+  return account_of(record.work ? with_work(record.recipe, *record.work) : record.recipe, version(),
+                    record.map_contents, record.view_contents);
 }
 
 /// Account that a file's header keeps; empty without a recipe.
 ///
 /// Throws  Error  when it is no image
 Account account_in(const std::filesystem::path& file) {
-  constexpr std::array<std::string_view, 5> names{recipe_attribute, version_attribute,
-                                                  map_attribute, view_attribute, scene_attribute};
+  constexpr std::array<std::string_view, 4> names{recipe_attribute, version_attribute,
+                                                  map_attribute, view_attribute};
   const auto values = texture::read_attributes(file, names);
   if (!values[0]) return {};
   return account_of(*values[0], values[1].value_or("none"), values[2].value_or("none"),
-                    values[3].value_or("none"), values[4].value_or(""));
+                    values[3].value_or("none"));
 }
 
 Affects affected_by(const FilmRecord& record, const std::string& name) {
   if (name == "version") return Affects::light;
   if (name == view_contents_name) return Affects::picture;
-  if (name == scene_contents_name) return Affects::frame;
   const auto found = record.affected.find(name);
   return found == record.affected.end() ? Affects::ground : found->second;
 }
@@ -106,12 +99,10 @@ std::string in_words(const request::Difference& difference) {
 }  // namespace
 
 texture::Attributes FilmRecord::frame_header() const {
-  texture::Attributes header{{recipe_attribute, work ? with_work(recipe, *work) : recipe},
-                             {version_attribute, std::string(version())},
-                             {map_attribute, map_contents},
-                             {view_attribute, view_contents}};
-  if (!scene_contents.empty()) header[scene_attribute] = scene_contents;
-  return header;
+  return {{recipe_attribute, work ? with_work(recipe, *work) : recipe},
+          {version_attribute, std::string(version())},
+          {map_attribute, map_contents},
+          {view_attribute, view_contents}};
 }
 
 texture::Attributes FilmRecord::film_header() const {
@@ -119,10 +110,12 @@ texture::Attributes FilmRecord::film_header() const {
 }
 
 std::string FilmRecord::light_key() const {
-  return up_to(Affects::light, *this, account_of(*this, recipe));
+  return up_to(Affects::light, *this, account_of(recipe, version(), map_contents, view_contents));
 }
 
-std::string FilmRecord::film_key() const { return without_work(account_of(*this, recipe)); }
+std::string FilmRecord::film_key() const {
+  return without_work(account_of(recipe, version(), map_contents, view_contents));
+}
 
 bool FilmRecord::made_alike(const std::filesystem::path& file) const {
   return !recipe.empty() &&

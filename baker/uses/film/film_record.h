@@ -18,7 +18,6 @@ struct FilmRecord {
   std::string recipe{};  ///< as asked for, with the textures' width; empty: no file is of this film
   std::map<std::string, request::Affects, std::less<>> affected{};  ///< by each parameter of it
   std::string map_contents{}, view_contents{};  ///< fingerprints of files that the recipe names
-  std::string scene_contents{};                 ///< the same; empty: there is no scene
   std::optional<plan::Work> work{};             ///< of the light, once it is planned
   /// End of the refusal of another film's files, behind "allowed another folder"
   std::string way_out{};

@@ -60,9 +60,12 @@ std::size_t count_of(const FilmTimes& times, double seconds) {
   return frames;
 }
 
-/// Whether frames show some of the Moon, a fifth of the disc: refraction at the horizon is known to some minutes.
+/// Whether frames show some of the Moon: its middle is up, or less below the horizon than the flattened disc's radius, 0.2
+/// degrees or more.
 bool is_seen(const ViewRequest& view, const almanac::SkyState& sky) {
-  return !view.observer || algebra::in_degrees(above_horizon(*view.observer, sky)) > 0.1;
+  if (!view.observer || !moon_is_up(view, sky)) return !view.observer;
+  const auto horizon = atmosphere::apparent_altitude(horizon_altitude(*view.observer));
+  return algebra::in_degrees(apparent_place(*view.observer, sky).altitude - horizon) > -0.17;
 }
 
 /// Rise or set between a moment when the Moon is seen and one when it is not, to a second; it is still seen.

@@ -46,7 +46,7 @@ struct Moments {
 ///                duration are given that disagree
 Moments moments_of(const FilmTimes& times);
 
-/// Interval between two moments in which frames show the Moon, a fifth of the disc or more, to a second. Of a Moon that sets
+/// Interval between two moments in which frames show some of the Moon, to a second. Of a Moon that sets
 /// and rises again: until it sets.
 ///
 /// Throws  Error  when it is below the horizon all the time

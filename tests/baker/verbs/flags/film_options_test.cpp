@@ -69,7 +69,7 @@ TEST(FilmOptions, BeginAtMoonriseAndEndAtMoonset) {
   };
   const auto whole = times_of({.eclipse = july_2018});
   const auto [rise, end] = spans(42.3, 13.4);
-  // there the Moon rises 11 arcminutes a minute, and a tenth of a degree is to be seen
+  // some arcminutes of it are to be seen, and there the Moon rises 11 of them a minute
   EXPECT_TRUE(is_up(rise, 0) && !is_up(rise, -45));
   EXPECT_EQ(seconds_between(end, whole.to), 0) << "it is up at P4";
   const auto [begin, set] = spans(-35, 149);
