@@ -58,9 +58,9 @@ class FilmScene : public ProgramTest {
   }
 };
 
-const std::string begins_at = "coppermoon: from moonrise, 17:36 UTC, to P4, 20:55 UTC\n",
+const std::string begins_at = "coppermoon: from moonrise, 17:35 UTC, to P4, 20:55 UTC\n",
                   said = begins_at +
-                         "coppermoon: 2025-09-07T17:36:07Z: the Moon cannot be seen in its sky; it "
+                         "coppermoon: 2025-09-07T17:35:53Z: the Moon cannot be seen in its sky; it "
                          "can from 2025-09-07T18:07:47Z\n";
 
 TEST_F(FilmScene, IsRenderedWithTheMoonOfEachFrameGoesOnWhereItWasStoppedAndSaysItsFaults) {

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "algebra/error.h"
+#include "atmosphere/astronomical_refraction.h"
 
 namespace coppermoon::uses {
 namespace {
