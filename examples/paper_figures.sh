@@ -21,7 +21,7 @@ frame() {
   name=$1 instant=$2
   shift 2
   # shellcheck disable=SC2086
-  coppermoon still --recipe "$here/first_eclipse.toml" --instant "$instant" "$@" $flags \
+  coppermoon still --recipe "$here/first_eclipse.toml" --instant "$instant" "$@" --sky off $flags \
     --frame "$name.exr" -o "$name.png" >&2
   coppermoon brightness "$name.exr" --json > "$name.json"
 }

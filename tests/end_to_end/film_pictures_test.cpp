@@ -61,6 +61,32 @@ class FilmPictures : public ProgramTest {
     std::filesystem::permissions(here("bin/ffmpeg"), std::filesystem::perms::owner_all);
     return here("bin").string() + ":/usr/bin:/bin";
   }
+
+  /// Sum of two frames' exposures; the greater one of frames that hold a sky.
+  void expect_composite(bool sky) {
+    std::vector<double> sum(25 * 33 * 3);
+    for (const char* name : {"film/frame_lin_rec709.0002.exr", "film/frame_lin_rec709.0004.exr"}) {
+      const auto number = [&](const char* attribute) {
+        return std::stod(*texture::read_attribute(here(name), attribute));
+      };
+      const auto frame = texture::read_image(here(name));
+      // ISO 12232: q t S / (78 N²), q = 0.65.
+      const double scale =
+          0.65 * number("expTime") * number("isoSpeed") / (78 * std::pow(number("aperture"), 2));
+      for (std::size_t i = 0; i < sum.size(); ++i) {
+        const double more = scale * frame.values[i];
+        sum[i] = sky ? std::max(sum[i], more) : sum[i] + more;
+      }
+    }
+    const auto composite = texture::read_image(here("all.png"));
+    ASSERT_EQ(composite.values.size(), sum.size());
+    EXPECT_GT(*std::ranges::max_element(sum), 0.3);
+    for (std::size_t i = 0; i < sum.size(); ++i)
+      EXPECT_WITHIN(
+          composite.values[i], std::min(1., coded(sum[i])), 1.2 / 65535,
+          "half a step of 16 bits; near black OpenColorIO's curve has the slope 12.9232 for "
+          "12.92, up to 0.66 steps");
+  }
 };
 
 double linear(double coded) {
@@ -160,26 +186,11 @@ TEST_F(FilmPictures, AsAMovieKeepTheirLight) {
 }
 
 TEST_F(FilmPictures, AsACompositeAreTheSumOfTheirExposures) {
-  expect_done(coppermoon(film({"--range", "2,4", "--composite", "all.png", "--bits", "16"})));
-  std::vector<double> sum(25 * 33 * 3);
-  for (const char* name : {"film/frame_lin_rec709.0002.exr", "film/frame_lin_rec709.0004.exr"}) {
-    const auto number = [&](const char* attribute) {
-      return std::stod(*texture::read_attribute(here(name), attribute));
-    };
-    const auto frame = texture::read_image(here(name));
-    // ISO 12232: q t S / (78 N²), q = 0.65.
-    const double scale =
-        0.65 * number("expTime") * number("isoSpeed") / (78 * std::pow(number("aperture"), 2));
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += scale * frame.values[i];
+  for (const bool sky : {false, true}) {
+    expect_done(coppermoon(film({"--range", "2,4", "--composite", "all.png", "--bits", "16",
+                                 "--replace", "--sky", sky ? "14" : "off"})));
+    expect_composite(sky);
   }
-  const auto composite = texture::read_image(here("all.png"));
-  ASSERT_EQ(composite.values.size(), sum.size());
-  EXPECT_GT(*std::ranges::max_element(sum), 0.3);
-  for (std::size_t i = 0; i < sum.size(); ++i)
-    EXPECT_WITHIN(
-        composite.values[i], std::min(1., coded(sum[i])), 1.2 / 65535,
-        "half a step of 16 bits; near black OpenColorIO's curve has the slope 12.9232 for "
-        "12.92, up to 0.66 steps");
 }
 
 TEST_F(FilmPictures, HaveTheirMomentInTheHeaderAndACaptionWhereAskedFor) {

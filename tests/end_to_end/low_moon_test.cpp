@@ -57,10 +57,10 @@ class LowMoon : public ProgramTest {
  protected:
   texture::Image frame_of(const std::string& folder, std::vector<std::string> more) const {
     std::vector<std::string> words{
-        "scene",           instant,  "--at",    at,     "--rays",       "50",
-        "--texture-width", "64",     "--width", "360",  "--height",     "360",
-        "--field",         "0.6",    "-o",      folder, "--albedo-map", "built-in",
-        "--atmosphere",    "undated"};
+        "scene",           instant,   "--at",    at,     "--rays",       "50",
+        "--texture-width", "64",      "--width", "360",  "--height",     "360",
+        "--field",         "0.6",     "-o",      folder, "--albedo-map", "built-in",
+        "--atmosphere",    "undated", "--sky",   "off"};
     words.insert(words.end(), more.begin(), more.end());
     expect_done(coppermoon(words));
     return texture::read_image(povray_scenes::render(here(folder)));

@@ -68,8 +68,8 @@ class PaperFigures : public ProgramTest {
  protected:
   /// The script's frame, as NAME.exr.
   Image frame(const std::string& name, const std::string& instant, const Words& more) const {
-    const Words small{"--solver", "quadrature",      "--albedo-map",
-                      "built-in", "--texture-width", "512"};
+    const Words small{"--solver",        "quadrature", "--albedo-map", "built-in",
+                      "--texture-width", "512",        "--sky",        "off"};
     const Words sides{"--width", std::to_string(width), "--height", std::to_string(height)};
     const Words files{"--frame", name + ".exr", "-o", name + ".png"};
     const auto made =

@@ -7,13 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include "algebra/error.h"
 #include "texture/write_image.h"
-#include "uses/dome/scattered_colour.h"
-#include "uses/dome/twilight_colour.h"
 #include "uses/light/header.h"
 #include "uses/light/photometric_bands.h"
 #include "uses/picture/brightness.h"
@@ -27,9 +24,6 @@ namespace coppermoon::uses {
 namespace {
 
 using std::numbers::pi;
-
-/// B − V and V − R of the night sky: Patat (2003).
-constexpr ColourIndices night_colour{1.03, 0.74};
 
 /// Grid of directions.
 class Directions {
@@ -82,11 +76,6 @@ struct MoonOver {
   std::vector<double> magnitudes;  ///< [band], above the air, from the Earth's centre
   Rgb lux{};  ///< through the air, on a surface that faces it; 0 below the horizon
   povray_scenes::HorizonPlace place;
-
-  ColourIndices colour() const {
-    return {magnitudes[0] - magnitudes[1], magnitudes[1] - magnitudes[2]};
-  }
-  bool shines() const { return std::isfinite(colour().b_minus_v + colour().v_minus_r); }
 };
 
 MoonOver moon_over(LitMoon moon, const ViewRequest& view) {
@@ -107,48 +96,6 @@ View view_around(const ViewRequest& request, const atmosphere::ObserverAir& air)
   if (request.reddening) view.sightline = {air, {}};
   return view;
 }
-
-/// Light of air, between the Sun, the Moon and an observer.
-class AirLight {
- public:
-  AirLight(const ClearSky& sky, const atmosphere::ObserverAir& air, const MoonOver& moon)
-      : sky_(sky), night_(colour_of(spectrum_of(night_colour))), of_sun_(air, sky.sun_altitude()) {
-    if (moon.shines()) of_moon_.emplace(air, moon.colour(), moon.place.altitude);
-  }
-
-  void fill(const Directions& all, std::size_t row, texture::Image& image) const {
-    const auto altitude = algebra::radians(all.altitude(row));
-    const auto moonlight = of_moon_ ? of_moon_->along(altitude) : ScatteredColour::Pair{};
-    for (std::size_t column = 0; column < all.columns(); ++column) {
-      const auto direction = all.direction(row, column);
-      const auto terms = sky_.towards(direction);
-      add(image, row, column, night_, terms.airglow);
-      if (terms.twilight > 0)
-        add(image, row, column,
-            of_sun_.towards(altitude, algebra::radians(all.azimuth(column)) - sky_.sun_azimuth()),
-            terms.twilight);
-      add_scattered(image, row, column, moonlight, sky_.from_moon(direction), terms.moonlight);
-    }
-  }
-
- private:
-  /// Adds light of a luminance in the colour that molecules and aerosol give it together.
-  static void add_scattered(texture::Image& image, std::size_t row, std::size_t column,
-                            const ScatteredColour::Pair& pair, algebra::Angle from_lamp,
-                            double luminance) {
-    if (!(luminance > 0)) return;
-    const auto [molecules, aerosol] = atmosphere::scattering_terms(from_lamp);
-    Rgb light{};
-    for (std::size_t k = 0; k < light.size(); ++k)
-      light[k] = molecules * pair.molecules[k] + aerosol * pair.aerosol[k];
-    add(image, row, column, light, luminance / colour::luminance(picture_space, light));
-  }
-
-  const ClearSky& sky_;
-  Rgb night_;
-  TwilightColour of_sun_;
-  std::optional<ScatteredColour> of_moon_;
-};
 
 /// Spreads a point's light over the four texels around it, by their distance; none of it below the horizon.
 void add_point(texture::Image& image, const Directions& all,
@@ -262,12 +209,13 @@ Dome dome_over(const DomeRequest& request, const LitMoon& moon, const ViewReques
   const auto& observer = *view.observer;
   const auto air = air_over(observer, view);
   const auto over = moon_over(moon, view);
-  const ClearSky sky(observer, moon.sky, air, over.magnitudes[V_band]);
-  const AirLight air_light(sky, air, over);
+  const ClearSky sky(observer, moon.sky, air, over.magnitudes);
   const Directions all(request.width);
   Dome dome{{all.columns(), all.rows(), {"R", "G", "B"}}, {}, {}};
-  tbb::parallel_for(std::size_t{0}, all.rows_above(),
-                    [&](std::size_t row) { air_light.fill(all, row, dome.light); });
+  tbb::parallel_for(std::size_t{0}, all.rows_above(), [&](std::size_t row) {
+    for (std::size_t column = 0; column < all.columns(); ++column)
+      add(dome.light, row, column, sky.light(all.direction(row, column)), 1);
+  });
   add_stars(dome.light, all, view_around(view, air), moon.sky);
   const auto of_sky = on_level_ground(dome.light, all);
   const auto seen = almanac::view_from(observer, moon.sky);

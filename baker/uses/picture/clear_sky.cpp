@@ -2,9 +2,11 @@
 #include "uses/picture/clear_sky.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "uses/light/photometric_bands.h"
 #include "uses/picture/view.h"
 
 namespace coppermoon::uses {
@@ -30,17 +32,56 @@ algebra::Angle of_twilight(algebra::Angle sun_altitude) {
   return std::min(sun_altitude, algebra::degrees(5));
 }
 
+constexpr std::size_t altitude_steps = 180;
+
 }  // namespace
 
 ClearSky::ClearSky(const almanac::Observer& place, const almanac::SkyState& sky,
-                   const atmosphere::ObserverAir& air, double moon_magnitude)
+                   const atmosphere::ObserverAir& air, std::span<const double> moon_magnitudes)
     : extinction_mag_(atmosphere::visual_extinction_mag(air)),
-      moon_{moon_magnitude, almanac::view_from(place, sky).altitude},
+      moon_{moon_magnitudes[V_band], almanac::view_from(place, sky).altitude},
       to_sun_(sun_in_sky(almanac::view_from(place, sky), sky)),
       sun_altitude_(altitude_of(to_sun_)),
-      twilight_(of_twilight(sun_altitude_), extinction_mag_) {
+      twilight_(of_twilight(sun_altitude_), extinction_mag_),
+      of_sun_(air, sun_altitude_) {
   const auto seen = apparent_place(place, sky);
   to_moon_ = in_sky(seen.altitude, seen.azimuth);
+  const ColourIndices colour{moon_magnitudes[0] - moon_magnitudes[1],
+                             moon_magnitudes[1] - moon_magnitudes[2]};
+  if (!std::isfinite(colour.b_minus_v + colour.v_minus_r)) return;
+  const ScatteredColour scattered(air, colour, seen.altitude);
+  for (std::size_t k = 0; k <= altitude_steps; ++k)
+    of_moon_.push_back(scattered.along(algebra::degrees(90. * double(k) / altitude_steps)));
+}
+
+ClearSky::ClearSky(const almanac::Observer& place, const almanac::SkyState& sky,
+                   const atmosphere::ObserverAir& air, double moon_magnitude)
+    : ClearSky(place, sky, air,
+               std::array{moon_magnitude + 0.91, moon_magnitude, moon_magnitude - 0.56}) {}
+
+Rgb ClearSky::light(const glm::dvec3& direction) const {
+  static const auto night = colour_of(spectrum_of({1.03, 0.74}));
+  const auto terms = towards(direction);
+  const auto altitude = altitude_of(direction);
+  const double aside = std::atan2(direction.x, direction.y) - algebra::in_radians(sun_azimuth());
+  const auto twilight = of_sun_.towards(altitude, algebra::radians(aside));
+  Rgb light{};
+  for (std::size_t k = 0; k < light.size(); ++k)
+    light[k] = terms.airglow * night[k] + terms.twilight * twilight[k];
+  if (!(terms.moonlight > 0) || of_moon_.empty()) return light;
+  const double up = std::clamp(algebra::in_degrees(altitude) / 90, 0., 1.) * altitude_steps;
+  const auto below = std::min(static_cast<std::size_t>(up), altitude_steps - 1);
+  const auto& lower = of_moon_[below];
+  const auto& upper = of_moon_[below + 1];
+  const auto [molecules, aerosol] = atmosphere::scattering_terms(from_moon(direction));
+  Rgb scattered{};
+  for (std::size_t k = 0; k < scattered.size(); ++k)
+    scattered[k] =
+        std::lerp(molecules * lower.molecules[k] + aerosol * lower.aerosol[k],
+                  molecules * upper.molecules[k] + aerosol * upper.aerosol[k], up - double(below));
+  scattered = normalised(scattered);
+  for (std::size_t k = 0; k < light.size(); ++k) light[k] += terms.moonlight * scattered[k];
+  return light;
 }
 
 SkyTerms ClearSky::towards(const glm::dvec3& direction) const {

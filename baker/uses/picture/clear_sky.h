@@ -3,10 +3,14 @@
 
 #include <cmath>
 #include <glm/vec3.hpp>
+#include <span>
+#include <vector>
 
 #include "almanac/observer.h"
 #include "atmosphere/observer_air.h"
 #include "atmosphere/sky_luminance.h"
+#include "uses/picture/scattered_colour.h"
+#include "uses/picture/twilight_colour.h"
 
 namespace coppermoon::uses {
 
@@ -21,10 +25,20 @@ struct SkyTerms {
 /// (atmosphere/sky_luminance.h). Of a day it is that of bright twilight, with the Sun at 5 degrees.
 class ClearSky {
  public:
-  /// Given   moon_magnitude  V, above the air; infinite of a dark Moon
-  /// Throws  Error           when a term of the air is outside its range
+  /// Given   moon_magnitudes  of the Moon above the air: B, V, R; infinite ones of a dark Moon
+  /// Throws  Error            when a term of the air is outside its range
+  ClearSky(const almanac::Observer& place, const almanac::SkyState& sky,
+           const atmosphere::ObserverAir& air, std::span<const double> moon_magnitudes);
+  /// The same of a Moon as white as a full one.
   ClearSky(const almanac::Observer& place, const almanac::SkyState& sky,
            const atmosphere::ObserverAir& air, double moon_magnitude);
+
+  /// Light of the sky [cd/m²], linear Rec.709; its luminance is that of `towards`. Moonlight as the air scatters it
+  /// (ScatteredColour); twilight as TwilightColour; airglow with B − V = 1.03 and V − R = 0.74.
+  ///
+  /// Given   direction  as for `towards`
+  /// Source  colour of airglow: Patat (2003), A&A 400, 1183
+  Rgb light(const glm::dvec3& direction) const;
 
   /// Given  direction  unit: east, north, up; as it is seen, refraction included
   SkyTerms towards(const glm::dvec3& direction) const;
@@ -45,6 +59,9 @@ class ClearSky {
   glm::dvec3 to_moon_, to_sun_;  ///< east, north, up
   algebra::Angle sun_altitude_;
   atmosphere::Twilight twilight_;
+  TwilightColour of_sun_;
+  std::vector<ScatteredColour::Pair>
+      of_moon_;  ///< at even altitudes from 0 to 90 degrees; empty: it is dark
 };
 
 /// Direction in an observer's sky, unit: east, north, up.

@@ -36,7 +36,7 @@ FrameSky::FrameSky(const View& view, const LitMoon& moon) : camera_(view.camera)
     return;
   }
   axes_ = axes_as_seen(view, moon.sky);
-  clear_.emplace(*view.observer, moon.sky, view.air, magnitudes_above(moon)[0]);
+  clear_.emplace(*view.observer, moon.sky, view.air, magnitudes_above(moon));
   const auto place = apparent_place(*view.observer, moon.sky);
   at_moon_cd_m2_ = colour::luminance(
       picture_space, clear_->light(not_below(in_sky(place.altitude, place.azimuth))));

@@ -49,7 +49,7 @@ ViewRequest telescope() {
   return {.observer = berlin, .width = 60, .height = 40, .stars = {.shown = false}};
 }
 
-ClearSky law() { return {berlin, dusk().sky, {}, magnitudes_above(dusk())[0]}; }
+ClearSky law() { return {berlin, dusk().sky, {}, magnitudes_above(dusk())}; }
 
 texture::Image black(const ViewRequest& view) { return {view.width, view.height, {"R", "G", "B"}}; }
 

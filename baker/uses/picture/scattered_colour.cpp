@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "uses/dome/scattered_colour.h"
+#include "uses/picture/scattered_colour.h"
 
 #include <cmath>
 #include <numbers>

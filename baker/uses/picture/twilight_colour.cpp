@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "uses/dome/twilight_colour.h"
+#include "uses/picture/twilight_colour.h"
 
 #include <algorithm>
 #include <array>

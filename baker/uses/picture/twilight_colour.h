@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "algebra/grid.h"
-#include "uses/dome/scattered_colour.h"
+#include "uses/picture/scattered_colour.h"
 
 namespace coppermoon::uses {
 
