@@ -38,8 +38,8 @@ void require_one_line(std::string_view caption) {
     throw algebra::Error(fmt::format("caption = '{}', allowed: one line of text", caption));
 }
 
-std::string numbers(const glm::dvec3& v) { return fmt::format("{}, {}, {}", v.x, v.z, v.y); }
-std::string left_handed(const glm::dvec3& v) { return fmt::format("<{}>", numbers(v)); }
+std::string pov_numbers(const glm::dvec3& v) { return fmt::format("{}, {}, {}", v.x, v.z, v.y); }
+std::string left_handed(const glm::dvec3& v) { return fmt::format("<{}>", pov_numbers(v)); }
 
 /// The matrix is symmetric: its rows are its columns.
 std::string squash(const SceneCamera& camera) {
@@ -82,8 +82,9 @@ polygon {{
   matrix <{}, {}, {}, {}>
 }}
 )",
-                     image, numbers(across), numbers(up),
-                     numbers(scene.moon_radius * line_of_sight(scene.camera)), numbers(corner));
+                     image, pov_numbers(across), pov_numbers(up),
+                     pov_numbers(scene.moon_radius * line_of_sight(scene.camera)),
+                     pov_numbers(corner));
 }
 
 }  // namespace

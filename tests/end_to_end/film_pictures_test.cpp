@@ -14,6 +14,10 @@
 namespace coppermoon::end_to_end {
 namespace {
 
+double coded(double linear) {
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
 class FilmPictures : public ProgramTest {
  protected:
   static Words film(const Words& more) {
@@ -91,10 +95,6 @@ class FilmPictures : public ProgramTest {
 
 double linear(double coded) {
   return coded <= 0.04045 ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4);
-}
-
-double coded(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
 
 /// The mean of what `of` makes of some pixels' middle channel.

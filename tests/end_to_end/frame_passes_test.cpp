@@ -149,14 +149,14 @@ TEST_F(FramePasses, HaveTheDiscAsAlphaAndItsPlacesAsData) {
 }
 
 TEST_F(FramePasses, EndWithTheMoonAtTheHorizon) {
-  const Words rising{"still",     "--unshadowed", "2018-07-27T15:37:30Z",
-                     "--at",      "Nairobi",      "--up",
+  const Words rising{"still",     "--unshadowed", "2018-07-27T15:30:20Z",
+                     "--at",      "-1.28,36.82",  "--up",
                      "zenith",    "--width",      "150",
                      "--height",  "150",          "--texture-width",
                      "256",       "--atmosphere", "undated",
                      "-o",        "moon.png",     "--frame",
                      "frame.exr", "--passes"};
-  expect_done(coppermoon(rising));
+  EXPECT_EQ(coppermoon(rising).status, 0);
   const auto parts = parts_of(here("frame.exr"));
   const auto &frame = parts.at("rgba"), &place = parts.at("position");
   const double seen = alpha_sum(frame);

@@ -85,7 +85,8 @@ TEST_F(SceneFolder, RendersWithPovrayAloneWhereverItIsMoved) {
   EXPECT_EQ(frame.height, 24U);
   EXPECT_GT(frame(12, 16, 0), frame(12, 16, 2)) << "an eclipsed Moon is red";
   EXPECT_GT(frame(12, 16, 0), 0.01F);
-  EXPECT_EQ(frame(0, 0, 0), 0.F);
+  EXPECT_GT(frame(0, 0, 0), 1e-4F) << "airglow, 1.9e-4 cd/m2 at the zenith (Patat 2003)";
+  EXPECT_LT(frame(0, 0, 0), 1e-3F);
 }
 
 TEST_F(SceneFolder, LosesNoFileOfSomebodyElse) {
@@ -210,7 +211,9 @@ TEST_F(SceneFolder, ShowsTheSkyThatAStillHas) {
                    "9",
                    "--stars",
                    "off"};
-  expect_done(coppermoon(Words{"still"} + dusk + Words{"-o", "a.png", "--frame", "still.exr"}));
+  // which says that the sky outshines the Moon
+  EXPECT_EQ(coppermoon(Words{"still"} + dusk + Words{"-o", "a.png", "--frame", "still.exr"}).status,
+            0);
   const auto still = texture::read_image(here("still.exr"));
   for (const char* sky : {"auto", "off"}) {
     expect_done(coppermoon(Words{"scene"} + dusk + Words{"--sky", sky, "-o", "scene"}));
