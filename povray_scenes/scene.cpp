@@ -83,7 +83,8 @@ polygon {{
 }}
 )",
                      image, pov_numbers(across), pov_numbers(up),
-                     pov_numbers(scene.moon_radius * line_of_sight(scene.camera)), pov_numbers(corner));
+                     pov_numbers(scene.moon_radius * line_of_sight(scene.camera)),
+                     pov_numbers(corner));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "support/luther_camera.h"
 #include "support/within.h"
 #include "texture/read_image.h"
+#include "texture/write_image.h"
 #include "uses/picture/pixels.h"
 
 namespace coppermoon::end_to_end {
@@ -266,6 +267,34 @@ TEST_F(CameraTest, SeesTheTwilight) {
   const double level = mean_of_corner(image("auto.png"), 1);
   EXPECT_GT(level, 0.1) << "a sky that outshines the Moon is as bright as eyes have it: of white";
   EXPECT_LT(level, 0.4) << "its luminance 0.4 at most (Krawczyk et al. 2005)";
+}
+
+/// Frames once named a sky in their header that they did not hold.
+TEST_F(CameraTest, DevelopsAnOlderFrameWithTheSkyOfItsHeader) {
+  texture::Image frame(20, 20, {"R", "G", "B"});
+  const texture::Attributes older{{"coppermoon:version", std::string("0.1.0")},
+                                  {"coppermoon:sky_cd_m2", 2.F}};
+  auto newer = older;
+  newer["coppermoon:sky"] = std::string("in the frame");
+  texture::write_exr(here("older.exr"), frame, older);
+  texture::write_exr(here("newer.exr"), frame, newer);
+  const auto developed = [&](const std::string& name, const Words& more) {
+    const auto outcome = coppermoon(Words{"develop", name, "--view", "raw", "--time", "8", "--iso",
+                                          "100", "--bits", "16", "-o", "a.png"} +
+                                    more);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return mean_of_corner(image("a.png"), 1);
+  };
+  // ISO 12232: 0.65 t S / (78 N²) of 2 cd/m²
+  const double scaled = 2 * 0.65 * 8 * 100 / (78 * 12.1 * 12.1);
+  EXPECT_WITHIN(developed("older.exr", {}), scaled, 2e-5, "a step of 16 bits");
+  EXPECT_EQ(developed("older.exr", {"--sky", "off"}), 0);
+  EXPECT_WITHIN_RELATIVE(developed("older.exr", {"--sky", "11"}),
+                         scaled / 2 * 1.08e5 * std::pow(10, -0.4 * 11), 1e-3, "steps of 16 bits");
+  EXPECT_EQ(developed("newer.exr", {}), 0) << "no second sky";
+  const auto twice = coppermoon({"develop", "newer.exr", "--sky", "14", "-o", "a.png"});
+  EXPECT_EQ(twice.status, 1);
+  EXPECT_EQ(twice.err, "coppermoon: newer.exr: holds a sky of 2 cd/m², allowed sky = auto\n");
 }
 
 TEST_F(CameraTest, MergesABracketedSetOfPhotographs) {
