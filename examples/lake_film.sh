@@ -13,4 +13,4 @@ case " $* " in *" --range "* | *" --shard "*) whole= ;; esac
 # shellcheck disable=SC2086
 "$here/../build/release/coppermoon" animate 2025-09-07 --at 41.09,20.76 --to U3 --scene "$here/gallery/lake_film.pov" \
   --duration 10s --fps 25 --width 960 --height 540 --texture-width 360 --make frames,pictures \
-  --f-number 2 --iso 3200 --time moonrise:1/4000,U2:1/15,U2+25min:1.5,U3:8 --view Filmic $whole -o lake_film "$@"
+  --f-number 2 --iso 3200 --time moonrise:1/4000,U2:1/20,U2+25min:1/3 --view Filmic $whole -o lake_film "$@"

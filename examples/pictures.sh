@@ -55,6 +55,8 @@ glow() {
     coppermoon still "2018-07-27 U2-20min" --at Nairobi --camera schmidt-cassegrain --field 0.9 --time 1/4 $share \
       -o "glow$share.png"
   done
+  labelled "glow--glow 0.png" "without glow"
+  labelled glow.png "with the camera's glow"
   picture glow 904x300 "glow--glow 0.png" --resize:filter=box 450x300 glow.png --resize:filter=box 450x300 \
     --mosaic:pad=4 2x1
 }
@@ -82,8 +84,8 @@ half_dome() {
 
 # Before the eclipse and in totality, one exposure.
 dome() {
-  half_dome before "2018-07-27 P1" Nairobi --time 30 --f-number 2 --iso 800
-  half_dome totality "2018-07-27 greatest" Nairobi --time 30 --f-number 2 --iso 800
+  half_dome before "2018-07-27 P1" Nairobi --time 10 --f-number 2 --iso 800
+  half_dome totality "2018-07-27 greatest" Nairobi --time 10 --f-number 2 --iso 800
   labelled before.png "before the eclipse"
   labelled totality.png "in totality"
   picture dome 1920x968 before.png totality.png --mosaic:pad=8 1x2
@@ -98,7 +100,7 @@ povray_lake() {
 }
 
 # What one would see (examples/as_seen.md): pictures of a moment, of skies, and of a film.
-as_seen() {
+as_seen() (
   pages=$here/pictures
   for seen in "berlin 2025-09-07T18:40Z Berlin" "sydney 2022-11-08T09:19Z Sydney" "honolulu 2026-03-03T11:14Z Honolulu" \
     "tokyo 2021-05-26T09:55Z Tokyo"; do
@@ -111,13 +113,13 @@ as_seen() {
     # shellcheck disable=SC2086
     set -- $seen
     half_dome "sun_$1" "2028-12-31T$2Z" Berlin
-    labelled "sun_$1.png" "the Sun at −$1°"
+    labelled "sun_$1.png" "the Sun $1 degrees down"
   done
   picture as_seen_skies 1280x0 sun_3.png sun_6.png sun_9.png sun_12.png --mosaic:pad=8 1x4
-  coppermoon animate 2025-09-07 --at Berlin --frames 9 --width 960 --height 640 -o film
+  coppermoon animate 2025-09-07 --at Berlin --up zenith --frames 9 --width 960 --height 640 -o film
   picture as_seen_film 1448x320 film/frame.0001.png --resize:filter=box 480x320 film/frame.0005.png --resize:filter=box 480x320 \
     film/frame.0009.png --resize:filter=box 480x320 --mosaic:pad=4 3x1
-}
+)
 
 umbra() {
   PYTHONPATH=$here/../build/release/python /usr/bin/python3 "$here/python/umbra.py" umbra.png

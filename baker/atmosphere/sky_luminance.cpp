@@ -41,10 +41,11 @@ double airglow_cd_m2(algebra::Angle altitude, double extinction_mag) {
 }
 
 ScatteringTerms scattering_terms(algebra::Angle from_lamp) {
-  const double degrees = std::max(algebra::in_degrees(from_lamp), 1.),
-               cosine = std::cos(algebra::in_radians(from_lamp));
+  const double degrees = algebra::in_degrees(from_lamp),
+               cosine = std::cos(algebra::in_radians(from_lamp)),
+               far = std::pow(10, 6.15 - degrees / 40), near = 6.2e7 / (degrees * degrees + 1);
   return {std::pow(10, 5.36) * (1.06 + cosine * cosine),
-          std::max(std::pow(10, 6.15 - degrees / 40), 6.2e7 / (degrees * degrees))};
+          std::sqrt(std::hypot(far * far, near * near))};
 }
 
 double moonlit_sky_cd_m2(const SkyLamp& moon, const SkyDirection& towards, double extinction_mag) {

@@ -54,11 +54,11 @@ struct SkyDirection {
 
 /// Terms of moonlight that the air scatters, each over the light's transmittance and share that is scattered.
 ///
-///     molecules 10^5.36 (1.06 + cos²ρ)        aerosol max(10^(6.15 − ρ/40°), 6.2e7 (ρ/1°)^−2)
+///     molecules 10^5.36 (1.06 + cos²ρ)        aerosol (a⁴ + b⁴)^¼, a = 10^(6.15 − ρ/40°), b = 6.2e7 / (1 + (ρ/1°)²)
 ///
-/// Given   from_lamp  ρ, 0 to 180 degrees; held at 1 degree, within which optics and dust make most of an aureole
-/// Source  Krisciunas & Schaefer (1991), eqs. 17 to 21. They take the second term of aerosol below 10 degrees, with a
-///         step of a fifth there
+/// Given   from_lamp  ρ, 0 to 180 degrees; within a degree, where optics and dust make most of an aureole, it is level
+/// Source  Krisciunas & Schaefer (1991), eqs. 17 to 21. They take 6.2e7 (ρ/1°)^−2 below 10 degrees, with a step of a fifth
+///         there
 struct ScatteringTerms {
   double molecules, aerosol;
 };

@@ -116,11 +116,11 @@ void fill_dips(std::vector<double>& up) {
 }
 
 /// Coordinate along a vertical in which light bends evenly.
-double height_of(double altitude_deg) { return std::log(altitude_deg + 1.5); }
+double height_of(double altitude_deg) { return std::log(altitude_deg + 0.8); }
 
 /// Spreads the kinks that a cubic of continuous slope has at its nodes over a degree.
 void round_kinks(std::array<double, rows>& light) {
-  constexpr int passes = 16;
+  constexpr int passes = 10;
   for (int pass = 0; pass < passes; ++pass) {
     double before = light[0];
     for (std::size_t r = 1; r + 1 < rows; ++r) {

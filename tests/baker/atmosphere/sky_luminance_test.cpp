@@ -97,6 +97,17 @@ TEST(MoonlitSky, RisesWithTheMoon) {
         moonlit_sky_cd_m2({full_moon, degrees(45)}, {degrees(0), degrees(rho)}, 0.25)));
 }
 
+TEST(MoonlitSky, HasNoRimAroundTheMoon) {
+  const auto slope = [](double rho) {
+    return std::log(scattering_terms(degrees(rho + 0.1)).aerosol /
+                    scattering_terms(degrees(rho)).aerosol) /
+           0.1;
+  };
+  for (double rho = 0; rho < 20; rho += 0.1)
+    EXPECT_LT(std::abs(slope(rho + 0.1) - slope(rho)), 0.21)
+        << rho << ": of the logarithm by degree, 0.2 of 1 / (1 + rho^2) about the Moon's limb";
+}
+
 TEST(MoonlitSky, HasNoStepNearTheMoon) {
   for (double rho = 1; rho < 20; rho += 0.1) {
     const auto near = scattering_terms(degrees(rho)), far = scattering_terms(degrees(rho + 0.1));
