@@ -12,7 +12,6 @@
 #include "texture/resize.h"
 #include "uses/light/photometric_bands.h"
 #include "uses/light/spectral_bands.h"
-#include "uses/picture/clear_sky.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -108,16 +107,21 @@ MoonAndSky moon_and_sky(const DiscBrightness& above, const almanac::SkyState& sk
   const auto air = air_over(place, view);
   const auto seen = almanac::view_from(place, sky);
   const auto apparent = apparent_place(place, sky);
-  const double
-      V = above.magnitudes[V_band],
-      radius = std::asin(almanac::lunar_radius / seen.moon_distance),
-      through = view.reddening
-                    ? atmosphere::transmittance_above(
-                          air, std::max(seen.altitude, algebra::degrees(-1)), most_sensitive)
-                    : 1,
-      behind =
-          ClearSky(place, sky, air, V).towards(in_sky(apparent.altitude, apparent.azimuth)).sum();
-  return {V, above.mean_luminance_cd_m2, above.mean_luminance_cd_m2 * through, behind,
+  const double V = above.magnitudes[V_band],
+               radius = std::asin(almanac::lunar_radius / seen.moon_distance),
+               through = view.reddening ? atmosphere::transmittance_above(
+                                              air, std::max(seen.altitude, algebra::degrees(-1)),
+                                              most_sensitive)
+                                        : 1;
+  const ClearSky clear(place, sky, air, V);
+  const auto direction = in_sky(apparent.altitude, apparent.azimuth);
+  const double behind = clear.towards(direction).sum();
+  return {V,
+          above.mean_luminance_cd_m2,
+          above.mean_luminance_cd_m2 * through,
+          behind,
+          clear.light(direction),
+          clear.zenith_cd_m2(),
           atmosphere::contrast_threshold(behind, std::numbers::pi * radius * radius)};
 }
 

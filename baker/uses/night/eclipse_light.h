@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "uses/night/circumstances.h"
+#include "uses/picture/clear_sky.h"
 #include "uses/picture/moon_survey.h"
 #include "uses/picture/view.h"
 
@@ -45,6 +46,8 @@ struct MoonAndSky {
   double V_magnitude, mean_luminance_cd_m2;  ///< of the disc, above the air
   double seen_cd_m2;                         ///< of the disc, through the air, without the sky's
   double sky_cd_m2;                          ///< before and behind it
+  Rgb sky_light;                             ///< the same in linear Rec.709
+  double zenith_cd_m2;                       ///< of the sky
   double contrast_threshold;                 ///< of the eye
 
   bool stands_out() const { return seen_cd_m2 > contrast_threshold * sky_cd_m2; }

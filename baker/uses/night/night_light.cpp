@@ -148,19 +148,14 @@ PhaseExposure exposure_of(const std::string& name, const Instant& when, const Di
   const auto seen = moon_and_sky(above, sky, view);
   PhaseExposure phase{name, when, seen.stands_out(), seen.sky_cd_m2 / seen.seen_cd_m2};
   if (!phase.seen) return phase;
-  const auto place = apparent_place(*view.observer, sky);
-  const auto light = ClearSky(*view.observer, sky, air_over(*view.observer, view), seen.V_magnitude)
-                         .light(in_sky(place.altitude, place.azimuth));
-  exposer.expose(phase, {disc_of(colours, sky), {light[0], light[1], light[2]}, spread, total});
+  exposer.expose(phase, {disc_of(colours, sky), seen.sky_light, spread, total});
   return phase;
 }
 
 NightLight light_at(const EclipseLight& light, const NightMoment& moment, const ViewRequest& view) {
   const auto sky = almanac::sky_at(moment.when);
   const auto seen = moon_and_sky(light.brightness(sky), sky, view);
-  const double star =
-      faintest_star(ClearSky(*view.observer, sky, air_over(*view.observer, view), seen.V_magnitude)
-                        .zenith_cd_m2());
+  const double star = faintest_star(seen.zenith_cd_m2);
   return {moment.name,
           moment.when,
           seen.V_magnitude,

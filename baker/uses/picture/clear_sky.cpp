@@ -104,10 +104,6 @@ algebra::Angle ClearSky::from_moon(const glm::dvec3& direction) const {
   return between(direction, to_moon_);
 }
 
-algebra::Angle ClearSky::from_sun(const glm::dvec3& direction) const {
-  return between(direction, to_sun_);
-}
-
 glm::dvec3 in_sky(algebra::Angle altitude, algebra::Angle azimuth) {
   const double a = algebra::in_radians(altitude), b = algebra::in_radians(azimuth);
   return {std::cos(a) * std::sin(b), std::cos(a) * std::cos(b), std::sin(a)};

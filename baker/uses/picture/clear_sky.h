@@ -45,8 +45,6 @@ class ClearSky {
 
   /// Angle from the Moon, as both are seen.
   algebra::Angle from_moon(const glm::dvec3& direction) const;
-  /// Angle from the Sun, airless.
-  algebra::Angle from_sun(const glm::dvec3& direction) const;
 
   double zenith_cd_m2() const { return towards({0, 0, 1}).sum(); }
   algebra::Angle sun_altitude() const { return sun_altitude_; }  ///< airless
