@@ -13,7 +13,7 @@
 #include "almanac/gazetteer.h"
 #include "eclipse/contacts.h"
 #include "eclipse/feature.h"
-#include "uses/light/photometric_bands.h"
+#include "uses/light/photometer.h"
 #include "uses/night/calendar_file.h"
 #include "uses/night/eclipse_light.h"
 #include "uses/picture/brightness.h"

@@ -9,10 +9,10 @@
 
 #include "almanac/calendar.h"
 #include "uses/film/film_times.h"
-#include "uses/light/photometric_bands.h"
-#include "uses/picture/curve_plot.h"
+#include "uses/light/photometer.h"
 #include "uses/picture/local_time.h"
 #include "uses/picture/picture_parameters.h"
+#include "uses/picture/plots.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/film_options.h"
 #include "verbs/flags/moon_options.h"

@@ -15,7 +15,7 @@
 #include "uses/light/shadow_profile.h"
 #include "uses/light/shadow_strip.h"
 #include "uses/picture/picture_parameters.h"
-#include "uses/picture/shadow_plot.h"
+#include "uses/picture/plots.h"
 #include "uses/plot/plot.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/light_options.h"

@@ -237,32 +237,6 @@ TEST_F(ScenesThoroughly, RenderInFoldersOfAnyName) {
   tried("a scene's folder of a name of quotes, newlines, $( ), `, \\", "frame.exr in it alone");
 }
 
-/// The caption is all that a scene takes from elsewhere: a comment, whatever it says.
-TEST_F(ScenesThoroughly, TakeACaptionForNoOrder) {
-  inside(tiny("scene", {"-o", "scene"}));
-  povray_scenes::MoonScene described{.camera = {{221, 0, 0}, {0, 0, 1}, algebra::degrees(1), 8, 8},
-                                     .texture = "moon_lin_rec709.exr",
-                                     .caption = {}};
-  write_scene(named("scene"), described);
-  const auto reference = texture::read_image(povray_scenes::render(named("scene"), {.threads = 1}));
-  for (const std::string caption :
-       {"*/ #fopen Evil \"evil\" write /*", "\" #declare Evil = 1; \\",
-        "// /* ; Output_File_Name=evil", "{ } ) ( #end #macro", "caf\xC3\xA9", "\xFF\xFE"}) {
-    described.caption = caption;
-    write_scene(named("scene"), described);
-    const auto before = listing();
-    const auto frame = texture::read_image(povray_scenes::render(named("scene"), {.threads = 1}));
-    EXPECT_EQ(frame.values, reference.values) << caption;
-    EXPECT_EQ(listing(), before) << caption;
-  }
-  for (const auto& caption : Words{"two\nlines", "a\rreturn", std::string("zero\0byte", 9)}) {
-    described.caption = caption;
-    EXPECT_THROW(to_pov(described), algebra::Error) << caption;
-    EXPECT_THROW(to_ini(described), algebra::Error) << caption;
-  }
-  tried("a scene's caption of \", */, #fopen, {, bytes that are no UTF-8", "the same frame");
-}
-
 class Stills : public Names {};
 
 using StillsThoroughly = Stills;

@@ -80,27 +80,5 @@ INSTANTIATE_TEST_SUITE_P(AtPlaces, MitsubaSees,
                                          std::vector<std::string>{"2018-07-27T20:21:45Z", "--at",
                                                                   "52.9,-3.9"}));
 
-TEST_F(Mitsuba, SeesAMirroredMoonWhereTheCameraIsMirrored) {
-  const povray_scenes::SceneCamera camera{.position = {220, 10, 5},
-                                          .up = {0, 0.3, 1},
-                                          .horizontal_field = algebra::degrees(0.6),
-                                          .width = 200,
-                                          .height = 150,
-                                          .mirrored = true};
-  texture::Image moon(512, 256, {"R", "G", "B"});
-  for (std::size_t r = 0; r < moon.height; ++r)
-    for (std::size_t c = 0; c < moon.width; ++c)
-      for (std::size_t k = 0; k < 3; ++k)  // another slope in each channel, no symmetry
-        moon(r, c, k) = static_cast<float>(1 + std::sin(0.03 * static_cast<double>(c + 40 * k)) *
-                                                   std::cos(0.02 * static_cast<double>(r)));
-  const povray_scenes::MoonScene scene{.camera = camera, .texture = "moon.exr"};
-  write_scene(here("povray"), scene);
-  write_mitsuba_scene(here("mitsuba"), scene);
-  for (const char* folder : {"povray", "mitsuba"})
-    texture::write_exr(here(folder) / "moon.exr", moon, {});
-  expect_one_picture(rendered_in("mitsuba"),
-                     texture::read_image(povray_scenes::render(here("povray"))));
-}
-
 }  // namespace
 }  // namespace coppermoon::hand_off

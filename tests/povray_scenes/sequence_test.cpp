@@ -95,8 +95,6 @@ TEST(SequenceToPov, RefusesFramesOfDifferentPictures) {
       "60 x 40 pixels, 0.7 degrees wide");
   EXPECT_TRUE(says(with([](SceneCamera& camera) { camera.width = 61; }), "61 x 40"));
   EXPECT_TRUE(
-      says(with([](SceneCamera& camera) { camera.mirrored = true; }), "wide, mirrored, allowed"));
-  EXPECT_TRUE(
       says(with([](SceneCamera& camera) { camera.horizontal_field = degrees(0.75); }), "0.75"));
 }
 

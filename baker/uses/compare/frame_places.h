@@ -6,7 +6,7 @@
 
 #include "almanac/sky.h"
 #include "eclipse/shadow_axis.h"
-#include "povray_scenes/sight.h"
+#include "povray_scenes/camera.h"
 
 namespace coppermoon::uses {
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,5 +36,49 @@ struct DiscBrightness {
 ///        from_m   the place it is seen from, geocentric, GCRS axes; the Earth's centre
 DiscBrightness measured(const Photometer& photometer, const texture::Image& texture,
                         const almanac::SkyState& sky, const glm::dvec3& from_m = {0, 0, 0});
+
+/// A band of astronomical photometry.
+struct PhotometricBand {
+  std::string name;
+  double solar_magnitude;  ///< of the Sun at 1 au
+};
+
+/// Place of V among the bands.
+inline constexpr std::size_t V_band = 1;
+
+/// B, V (Johnson) and R (Cousins).
+///
+/// Source  V = −26.76, B − V = 0.653, V − R = 0.356: Ramírez et al. (2012), ApJ 752, 5; Willmer (2018), ApJS 236, 47
+std::vector<PhotometricBand> photometric_bands();
+
+/// Response of these bands to irradiance, [band][wavelength band], peak 1 times the width [nm].
+///
+/// Given  edges_nm  380 to 780
+/// Omits  the part of R beyond 780 nm, 6 % of it
+/// Source Bessell (1990), PASP 102, 1181
+algebra::Grid<double> photometric_response(std::span<const double> edges_nm);
+
+/// Irradiance from the whole Moon in each channel:
+///
+///     E = Σ L cos e ΔA / d²        e: emission angle, d: texel to the place
+///
+/// Given     texture  plate carrée, any channels of radiance or luminance
+///           from_m   the place it is seen from, geocentric, GCRS axes; the Earth's centre
+/// Returned  [channel]  irradiance or illuminance on a surface that faces the Moon
+std::vector<double> irradiance_of_disc(const texture::Image& texture, const almanac::SkyState& sky,
+                                       const glm::dvec3& from_m = {0, 0, 0});
+
+/// Solid angle of the Moon from a place [sr], summed over the texels of irradiance_of_disc.
+double solid_angle_of_disc(std::size_t rows, const almanac::SkyState& sky,
+                           const glm::dvec3& from_m = {0, 0, 0});
+
+/// Danjon's L of a totally eclipsed Moon, by its visual magnitude.
+///
+///     m = 4.2 − 3 L + (L/2)²
+///
+/// Returned  L, held to 0 to 4
+/// Accuracy  0.4 between observers
+/// Source    H. C. Vital's correlation of observers' estimates (REA Brazil, 2004 to 2015)
+double danjon_estimate(double visual_magnitude);
 
 }  // namespace coppermoon::uses

@@ -2,7 +2,7 @@
 #include "uses/picture/brightness.h"
 
 #include "almanac/sky.h"
-#include "uses/light/photometric_bands.h"
+#include "uses/light/photometer.h"
 #include "wrappers/python/arguments.h"
 #include "wrappers/python/computing.h"
 #include "wrappers/python/fields.h"

@@ -8,7 +8,7 @@
 #include "algebra/error.h"
 #include "almanac/gazetteer.h"
 #include "support/within.h"
-#include "uses/light/photometric_bands.h"
+#include "uses/light/photometer.h"
 
 namespace coppermoon::uses {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "uses/picture/shadow_plot.h"
+#include "uses/picture/plots.h"
 
 #include <fmt/format.h>
 
@@ -7,12 +7,12 @@
 #include <array>
 #include <cmath>
 #include <glm/vec3.hpp>
+#include <map>
 
 #include "colour/cie_observer.h"
 #include "colour/srgb.h"
 #include "colour/working_space.h"
 #include "eclipse/shadow_cone.h"
-#include "uses/plot/plot.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -51,6 +51,18 @@ std::vector<PlotCurve> curves(const ShadowProfile& profile) {
   return curves;
 }
 
+/// Hours and a column; a row without a number interrupts the line.
+std::string rows_of(const LightCurve& curve, const eclipse::Eclipse& eclipse,
+                    const std::vector<double>& numbers) {
+  std::string rows;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    rows += std::isfinite(numbers[i])
+                ? fmt::format("{:.6f},{:.6g}\n", hours_from_greatest(eclipse, curve.moments[i]),
+                              numbers[i])
+                : "\n";
+  return rows;
+}
+
 }  // namespace
 
 std::string plot_colour(double wavelength_nm) {
@@ -82,9 +94,7 @@ ShadowMarks marks_of(const shadow::Arrangement& cut, const std::optional<almanac
     return algebra::in_metres(eclipse::axis_distance_at(seen, on_axis));
   };
   ShadowMarks marks{std::move(title), radius_m(radii.umbra), radius_m(radii.penumbra)};
-  if (sky)
-    marks.moon_m = algebra::in_metres(
-        eclipse::place_in_shadow(eclipse::shadow_axis(*sky), sky->moon_m).axis_distance);
+  if (sky) marks.moon_m = algebra::in_metres(eclipse::moon_in_shadow(*sky).axis_distance);
   return marks;
 }
 
@@ -106,6 +116,49 @@ void write_shadow_plot(const std::filesystem::path& picture, const ShadowProfile
   if (marks.penumbra_m < end_m)
     plot.marks.push_back({PlotMark::edge, marks.penumbra_m / km, "edge of the penumbra"});
   write_plot(picture, plot);
+}
+
+double hours_from_greatest(const eclipse::Eclipse& eclipse, const almanac::Instant& when) {
+  return almanac::seconds_between(eclipse.greatest, when) / 3600;
+}
+
+Plot plot_over(const eclipse::Eclipse& eclipse, const almanac::Instant& from,
+               const almanac::Instant& to) {
+  const double first = hours_from_greatest(eclipse, from), last = hours_from_greatest(eclipse, to),
+               margin = std::max(1e-3, (last - first) / 50), low = first - margin,
+               high = last + margin;
+  std::vector<PlotMark> marks;
+  for (const auto& [name, when] : contacts_of(eclipse))
+    if (const double at = hours_from_greatest(eclipse, when); at >= low && at <= high)
+      marks.push_back({PlotMark::instant, at, name});
+  return {.title = title(eclipse),
+          .title_size = 15,
+          .width = 1100,
+          .height = 760,
+          .x = {.label = "hours from greatest eclipse", .range = {{low, high}}},
+          .marks = marks,
+          .grid = "lt 1 lc rgb '#eeeeee'"};
+}
+
+Plot plot_of(const LightCurve& curve, const eclipse::Eclipse& eclipse, const std::string& place) {
+  auto plot = plot_over(eclipse, curve.moments.front(), curve.moments.back());
+  plot.panels = {{{.label = "magnitude", .reversed = true}, {}},
+                 {{.label = "illuminance, facing the Moon [lx]", .logarithmic = true}, {}}};
+  const std::map<std::string, const char*> colours{
+      {"B", "#2f6fb5"}, {"V", "#3f9142"}, {"R", "#b0432b"}};
+  for (const auto& [name, numbers] : curve.columns) {
+    const bool seen = name.starts_with("seen_"), of_band = name.ends_with("_magnitude");
+    const auto what = name.substr(seen ? 5 : 0), band = what.substr(0, what.find('_'));
+    if (!of_band && what != "illuminance_lx") continue;
+    plot.panels[of_band ? 0 : 1].curves.push_back(
+        {rows_of(curve, eclipse, numbers),
+         fmt::format("lines lw 2 lc rgb '{}'{}", of_band ? colours.at(band) : "#333333",
+                     seen ? " dashtype 2" : ""),
+         of_band ? (seen ? "" : band) : (seen ? "through the air" : "above the air")});
+  }
+  if (!place.empty()) plot.title += ", from " + place;
+  plot.key = "bottom left Left reverse";
+  return plot;
 }
 
 }  // namespace coppermoon::uses

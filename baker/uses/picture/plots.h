@@ -5,8 +5,11 @@
 #include <optional>
 #include <string>
 
+#include "eclipse/contacts.h"
 #include "eclipse/shadow_axis.h"
 #include "uses/light/shadow_profile.h"
+#include "uses/picture/brightness.h"
+#include "uses/plot/plot.h"
 
 namespace coppermoon::uses {
 
@@ -25,8 +28,7 @@ struct ShadowMarks {
 ShadowMarks marks_of(const shadow::Arrangement& cut, const std::optional<almanac::SkyState>& sky,
                      std::string title);
 
-/// Draws irradiance over sunlight by distance from the axis, each wavelength in its own colour, with
-/// gnuplot.
+/// Draws irradiance over sunlight by distance from the axis, each wavelength in its own colour, with gnuplot.
 ///
 /// Given   picture  ends in .png, .svg or .pdf
 /// Throws  Error    as write_plot
@@ -38,5 +40,16 @@ void write_shadow_plot(const std::filesystem::path& picture, const ShadowProfile
 ///
 /// Given  wavelength_nm  380 to 780
 std::string plot_colour(double wavelength_nm);
+
+double hours_from_greatest(const eclipse::Eclipse& eclipse, const almanac::Instant& when);
+
+/// Plot over hours from the greatest eclipse, with its contacts, still without panels.
+Plot plot_over(const eclipse::Eclipse& eclipse, const almanac::Instant& from,
+               const almanac::Instant& to);
+
+/// Plot of magnitudes by band above illuminance; dashed what the place of the curve sees.
+///
+/// Given  place  of the curve, in words; empty without one
+Plot plot_of(const LightCurve& curve, const eclipse::Eclipse& eclipse, const std::string& place);
 
 }  // namespace coppermoon::uses

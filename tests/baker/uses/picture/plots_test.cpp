@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "uses/picture/shadow_plot.h"
+#include "uses/picture/plots.h"
 
 #include <gtest/gtest.h>
 
