@@ -25,7 +25,7 @@ struct Costs {
   double twilight = 40e-3, twilight_wavelength = 1e-3;
   double photon_wavelength = 2.2e-9;  ///< by the table, on one plane, gathered in rings alone
   double sectors_dearer = 8;          ///< gathered in sectors too
-  double photon_marched = 14e-6, photon_step_by_step = 163e-6;
+  double photon_step_by_step = 163e-6;
   double together = 1.75;  ///< time of light over the sum of its estimated parts
   double start = 0.22;   ///< of the program, its map and images' libraries, where a texture is made
   double texel = 48e-9;  ///< lit and written
@@ -145,10 +145,10 @@ double predicted_seconds(const Work& work, const Scene& scene, const Machine& ma
     light += seconds_of_quadrature(work, scene, distances(work, scene));
   } else if (work.refracted) {
     const double dearer = sectors(work, scene) > 1 ? cost.sectors_dearer : 1;
-    const double by_wavelength = dearer * cost.photon_wavelength * work.bands * work.planes;
-    const double a_photon = work.method == Method::step_by_step ? cost.photon_step_by_step
-                            : work.method == Method::marched ? cost.photon_marched + by_wavelength
-                                                             : by_wavelength;
+    const double a_photon =
+        work.method == Method::step_by_step
+            ? cost.photon_step_by_step
+            : dearer * cost.photon_wavelength * work.bands * work.planes;
     light += 0.05 + work.photons * a_photon;
   }
   const double map = scene.map_file ? cost.map_file : 0;  // read by one core

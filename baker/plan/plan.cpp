@@ -219,8 +219,6 @@ std::string_view name(Method method) {
   switch (method) {
     case Method::table:
       return "photons by table";
-    case Method::marched:
-      return "photons marched";
     case Method::step_by_step:
       return "photons literal";
     default:

@@ -10,15 +10,13 @@
 namespace coppermoon::plan {
 
 /// Methods of computing refracted light: the quadrature, which has no noise; photons by a table of the limb's
-/// rays; photons marched in SIMD lanes; photons step by step, exactly as Yapo & Cutler (2009) trace them.
-enum class Method { quadrature, table, marched, step_by_step };
+/// rays; photons step by step, exactly as Yapo & Cutler (2009) trace them.
+enum class Method { quadrature, table, step_by_step };
 
 /// All methods, in order.
-inline constexpr std::array methods{Method::quadrature, Method::table, Method::marched,
-                                    Method::step_by_step};
+inline constexpr std::array methods{Method::quadrature, Method::table, Method::step_by_step};
 
-/// Name of a method in reports: "quadrature", "photons by table", "photons marched", or "photons
-/// literal" for `Method::step_by_step`.
+/// Name of a method in reports: "quadrature", "photons by table" or "photons literal".
 std::string_view name(Method method);
 
 /// Settings of the light on a Moon that trade accuracy against time.

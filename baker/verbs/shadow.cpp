@@ -269,7 +269,7 @@ void add_shadow(CLI::App& program) {
   for (const char* of_a_moon : {"planes", "place-error", "budget"})
     all.find(of_a_moon)->only_with({});
   for (const char* of_photons :
-       {"trace", "photons", "seed", "step-km", "precision", "ring-km", "smoothing-km"})
+       {"trace", "photons", "seed", "step-km", "ring-km", "smoothing-km"})
     all.find(of_photons)->only_with({{"solver", {"photons"}}, {"quality", {"paper"}}});
   all.find("bands")->only_with({{"lookup"}});
   add_recipe_option(*verb);

@@ -164,9 +164,9 @@ class Ranges : public Describe {
     if (name == "step-km")  // without air no step is taken, which would be ten million at the least
       return Words{"shadow",       eclipsed, "--axis-distances", "0",       "--wavelengths", "550",
                    "--atmosphere", "none",   "--solver",         "photons", "--photons",     "1",
-                   "--trace",      "marched"};
+                   "--trace",      "each"};
     if (of_photons.contains(name))
-      return shadow() + Words{"--solver", "photons", "--photons", "1", "--trace", "marched"};
+      return shadow() + Words{"--solver", "photons", "--photons", "1"};
     if (of_still.contains(name)) return still();
     if (name.starts_with("observer")) return still() + Words{"--at", "Nairobi"};
     if (!end && (name == "width" || name == "height")) return still();

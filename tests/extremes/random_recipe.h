@@ -258,7 +258,7 @@ class RandomRecipes {
     const auto known =
         std::ranges::any_of(all, [](const auto& one) { return one.at("name") == "photons"; });
     if (!known) return;
-    const std::string trace = one_of(random, std::array{"each", "marched", "table"});
+    const std::string trace = one_of(random, std::array{"each", "table"});
     made.text += fmt::format("solver = \"photons\"\ntrace = \"{}\"\nphotons = {}\n", trace,
                              number(1, trace == "each" ? 2e3 : 2e4)(random));
     made.keys.insert({"solver", "trace", "photons"});

@@ -386,7 +386,7 @@ void describe_knobs(Parameters& is, plan::ByHand& knobs) {
 }
 
 void describe_solver(Parameters& is, LightRequest& light) {
-  using photons::Precision, shadow::Trace;
+  using shadow::Trace;
   is.begin(light_heading, "", Affects::light);
   is.add(choice("solver", light.solver,
                 {{"auto", Solver::automatic},
@@ -399,32 +399,25 @@ void describe_solver(Parameters& is, LightRequest& light) {
   is.begin(light_heading, "", Affects::photons);
   is.add(choice(
              "trace", light.trace,
-             {{"each", Trace::step_by_step}, {"marched", Trace::marched}, {"table", Trace::table}},
-             "tracing of photons: table (by a table of the limb's rays), marched (step by step, "
-             "all wavelengths together) or each (step by step, each alone, as in the paper)"))
+             {{"each", Trace::step_by_step}, {"table", Trace::table}},
+             "tracing of photons: table (by a table of the limb's rays) or each (step by step, "
+             "each alone, as in the paper)"))
       .not_beside(as_the_paper)
       .only_with(of_photons);
   is.begin(light_heading, "", Affects::light);
   is.add(parameter("photons", light.photons,
                    "number of photons, 1 to 1e12; default: as many as the tolerance needs. 1e6 "
-                   "take a second by the table, some seconds marched, minutes with trace each"))
+                   "take a second by the table, minutes with trace each"))
       .within(1, 1e12)
       .only_with({{"solver", {"auto", "photons"}}, {"quality", {"paper"}}})
       .replaced_by_plan();
   is.begin(light_heading, "", Affects::photons);
   is.add(parameter("seed", light.seed, "seed of the photons")).only_with(of_photons);
   is.add(parameter("step-km", light.step_km,
-                   "step of a photon's path [km], 0.001 to 100, with trace each or marched"))
+                   "step of a photon's path [km], 0.001 to 100, with trace each"))
       .within(0.001, 100)
       .only_with(of_photons)
-      .only_with({{"trace", {"each", "marched"}}, {"quality", {"paper"}}});
-  is.add(choice("precision", light.precision,
-                {{"single", Precision::single}, {"full", Precision::full}},
-                "precision of photons that are marched: single (7 digits, in two thirds of the "
-                "time) or full (16 digits)"))
-      .not_beside(as_the_paper)
-      .only_with(of_photons)
-      .only_with({{"trace", {"marched"}}});
+      .only_with({{"trace", {"each"}}, {"quality", {"paper"}}});
   is.add(parameter("ring-km", light.ring_km,
                    "width of the rings that gather photons [km], 1 to 2000"))
       .within(1, 2000)

@@ -29,8 +29,7 @@ shadow::PhotonSettings photon_settings(const LightRequest& request) {
   settings.seed = request.seed;
   settings.trace = request.trace;
   settings.rays = request.by_hand.rays.value_or(settings.rays);
-  settings.stepping.step_m = settings.marching.step_m = request.step_km * 1e3;
-  settings.marching.precision = request.precision;
+  settings.stepping.step_m = request.step_km * 1e3;
   settings.ring_width_m = request.ring_km * 1e3;
   return settings;
 }
@@ -182,8 +181,6 @@ plan::Method method_of(shadow::Trace trace) {
   switch (trace) {
     case shadow::Trace::step_by_step:
       return plan::Method::step_by_step;
-    case shadow::Trace::marched:
-      return plan::Method::marched;
     default:
       return plan::Method::table;
   }

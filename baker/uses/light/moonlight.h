@@ -11,7 +11,6 @@
 
 #include "algebra/progress.h"
 #include "almanac/sky.h"
-#include "photons/march.h"
 #include "shadow/by_photons.h"
 #include "shadow/irradiance.h"
 #include "shadow/lookup.h"
@@ -50,7 +49,6 @@ struct LightRequest {
   plan::ByHand by_hand{};  ///< settings in place of planned ones, but for solver and photons
   std::optional<double> photons{};  ///< 1 to 1e12; without: as many as the tolerance asks for
   shadow::Trace trace = shadow::Trace::table;
-  photons::Precision precision = photons::Precision::full;  ///< of photons that are marched
   double step_km = 1;                                       ///< length of a step of a photon's path
   double ring_km = 50;      ///< width of the rings that gather photons
   double smoothing_km = 0;  ///< standard deviation of the Gaussian that smooths them, 0 to 2000

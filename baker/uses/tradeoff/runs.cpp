@@ -16,12 +16,8 @@ namespace {
 shadow::PhotonSettings photon_settings(const Trial& trial) {
   shadow::PhotonSettings settings;
   settings.photons = static_cast<std::uint64_t>(trial.photons);
-  settings.trace = trial.method == plan::Method::table     ? shadow::Trace::table
-                   : trial.method == plan::Method::marched ? shadow::Trace::marched
-                                                           : shadow::Trace::step_by_step;
-  if (trial.step_km > 0) settings.stepping.step_m = settings.marching.step_m = trial.step_km * 1e3;
-  settings.marching.precision =
-      trial.precision_bits == 32 ? photons::Precision::single : photons::Precision::full;
+  if (trial.method == plan::Method::table) settings.trace = shadow::Trace::table;
+  if (trial.step_km > 0) settings.stepping.step_m = trial.step_km * 1e3;
   if (trial.rays > 0) settings.rays = static_cast<int>(trial.rays);
   settings.sectors = static_cast<std::size_t>(std::lround(most_replicas / trial.replicas));
   return settings;

@@ -44,15 +44,12 @@ std::vector<Sweep> sweeps(bool quick, double replicas) {
                     .rays = 300,
                     .replicas = 100,
                     .texture_width = width};
-  const Trial marched{.method = plan::Method::marched,
-                      .photons = 1e5 / fewer,
+  const Trial stepped{.method = plan::Method::step_by_step,
+                      .photons = 1e4 / fewer,
                       .step_km = step_km,
                       .wavelengths = bands,
                       .replicas = 100,
                       .texture_width = width};
-  auto stepped = marched;
-  stepped.method = plan::Method::step_by_step;
-  stepped.photons = 1e4 / fewer;
   const Values all_rays{30, 60, 100, 300, 1000, 3000},
       all_bands{3, 5, 10, 24, 32, 48, 80, 200, 400}, all_steps_km{30, 10, 3, 1, 0.3, 0.1};
   const auto decades = [&](const Values& few) {
@@ -68,9 +65,6 @@ std::vector<Sweep> sweeps(bool quick, double replicas) {
           with_at_most({in_ten_bands(table), "replicas", &Trial::replicas,
                         values({10, 100, 1000}, {1000, 100, 10, 1})},
                        replicas),
-          {marched, "photons", &Trial::photons, decades({1e3, 1e4})},
-          {marched, "step", &Trial::step_km, values({30, 10}, all_steps_km)},
-          {marched, "precision", &Trial::precision_bits, {32, 64}},
           {stepped, "photons", &Trial::photons, decades({1e3, 1e4, 1e6})},
           {stepped, "step", &Trial::step_km, values({30, 10, 3}, all_steps_km)}};
 }

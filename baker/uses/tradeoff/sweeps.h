@@ -20,7 +20,6 @@ struct Trial {
   double photons = 0, step_km = 0, wavelengths = 200, rays = 0;
   /// copies of each photon, evenly about the axis: gathered in 1000 / replicas sectors
   double replicas = 0;
-  double precision_bits = 64;
   double texture_width = 512;
 
   bool operator==(const Trial&) const = default;

@@ -18,9 +18,8 @@ struct Column {
   double Trial::*setting;
 };
 
-constexpr std::array<Column, 7> setting_columns{{{"photons", &Trial::photons},
+constexpr std::array<Column, 6> setting_columns{{{"photons", &Trial::photons},
                                                  {"step_km", &Trial::step_km},
-                                                 {"precision_bits", &Trial::precision_bits},
                                                  {"wavelengths", &Trial::wavelengths},
                                                  {"rays", &Trial::rays},
                                                  {"replicas", &Trial::replicas},
@@ -55,8 +54,7 @@ std::string settings_of(const Measured& one) {
     std::string name(column);
     std::ranges::replace(name, '_', ' ');
     const double value = one.trial.*setting;
-    const bool usual = setting == &Trial::precision_bits && value == 64;
-    if (value == 0 || usual || name.starts_with(one.varied)) continue;
+    if (value == 0 || name.starts_with(one.varied)) continue;
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, number(value));
   }
   return text;
@@ -76,14 +74,14 @@ std::span<const Measured> first_sweep(std::span<const Measured> all) {
 
 constexpr std::string_view colour_of(plan::Method method) {
   constexpr std::array<std::string_view, plan::methods.size()> colours{"#0072b2", "#d55e00",
-                                                                       "#009e73", "#6a3d9a"};
+                                                                       "#6a3d9a"};
   return colours[static_cast<std::size_t>(method)];
 }
 
 /// Filled symbol; the open one is the number before it.
 int symbol_of(std::string_view varied) {
-  constexpr std::array<std::string_view, 6> filled{"rays",     "photons", "wavelengths",
-                                                   "replicas", "step",    "precision"};
+  constexpr std::array<std::string_view, 5> filled{"rays", "photons", "wavelengths", "replicas",
+                                                   "step"};
   return 5 + 2 * static_cast<int>(std::ranges::find(filled, varied) - filled.begin());
 }
 

@@ -180,12 +180,11 @@ TEST(PredictedSeconds, OfTermsThatTheSceneHasNotAreNone) {
                           sphere, {}));
 }
 
-TEST(PredictedSeconds, GoFromTableToMarchedToLiteralUpwards) {
+TEST(PredictedSeconds, GoFromTableToLiteralUpwards) {
   const auto seconds = [](Method method) {
     return predicted_seconds({.method = method, .photons = 1e6, .bands = 40}, umbral(), {});
   };
-  EXPECT_LT(seconds(Method::table), seconds(Method::marched));
-  EXPECT_LT(seconds(Method::marched), seconds(Method::step_by_step));
+  EXPECT_LT(seconds(Method::table), seconds(Method::step_by_step));
 }
 
 }  // namespace

@@ -146,7 +146,7 @@ TEST(PlanFor, PrefersTheQuadratureOverPhotons) {
   for (const double tolerance : {0.05, 0.01, 5e-4}) {
     const auto plan = within(tolerance, ordinary());
     EXPECT_EQ(plan.work.method, Method::quadrature);
-    ASSERT_EQ(plan.methods.size(), 4U);
+    ASSERT_EQ(plan.methods.size(), 3U);
     EXPECT_TRUE(std::ranges::is_sorted(plan.methods, {}, &Alternative::seconds));
     EXPECT_EQ(plan.methods.front().method, plan.work.method);
     EXPECT_EQ(plan.methods.front().seconds, plan.seconds);
@@ -154,7 +154,7 @@ TEST(PlanFor, PrefersTheQuadratureOverPhotons) {
 }
 
 TEST(PlanFor, TakesTheMethodAskedForAndNoOther) {
-  for (const auto method : {Method::table, Method::marched, Method::step_by_step}) {
+  for (const auto method : {Method::table, Method::step_by_step}) {
     const auto plan = within(0.02, ordinary(), {.method = method});
     EXPECT_EQ(plan.work.method, method);
     ASSERT_EQ(plan.methods.size(), 1U);
@@ -296,7 +296,6 @@ TEST(PlanFor, RefusesWishesOutsideTheirRanges) {
 TEST(Name, TellsTheMethodsApart) {
   EXPECT_EQ(name(Method::quadrature), "quadrature");
   EXPECT_EQ(name(Method::table), "photons by table");
-  EXPECT_EQ(name(Method::marched), "photons marched");
   EXPECT_EQ(name(Method::step_by_step), "photons literal");
 }
 

@@ -205,7 +205,6 @@ const std::vector<Way> ways{
     quadrature("quadrature of 1000 rays", 1000, 1.5e-4),
     {"quadrature between places", between_places, finely, within_all_light(1.25e-3, 3), "finely"},
     photons("photons by the table", {500e3, 9, 4}, 1'000'000, Trace::table),
-    // photons marched: their place is here
 };
 
 /// Minutes of them: tests/thorough.sh has the time.

@@ -63,8 +63,7 @@ TEST(LightRequest, HasAKeyThatKnowsTheAirAndNotTheNumberOfPhotons) {
   const auto usual = key("");
   EXPECT_EQ(key("--photons 5 --shard 1/3 --keep a --add b --add c --starlight on"), usual);
   for (const std::string other : {"--ozone-du 300", "--seed 2", "--rays 99", "--trace each",
-                                  "--trace marched", "--precision single", "--step-km 3",
-                                  "--ring-km 7", "--limb-darkening off", "--atmosphere paper"})
+                                  "--step-km 3", "--ring-km 7", "--limb-darkening off", "--atmosphere paper"})
     EXPECT_NE(key(other), usual) << other;
 }
 
