@@ -57,7 +57,7 @@ class Simulation {
         settings_(settings),
         optics_(optics_of(atmosphere, wavelengths_nm)),
         rings_{static_cast<float>(settings.ring_width_m), rings, settings.sectors} {
-    if (settings.trace == Trace::table)
+    if (!settings.literal)
       landings_.emplace(atmosphere, arrangement, wavelengths_nm, settings.rays);
   }
 
@@ -73,7 +73,7 @@ class Simulation {
         add_block(block, work);
       else
         for (std::uint64_t i = 0; i < photons_a_block; ++i)
-          add_photon_step_by_step(block * photons_a_block + i, work.tally);
+          add_literal_photon(block * photons_a_block + i, work.tally);
       drain(work.tally, sums.sum, sums.sum_of_squares);
       tell();
     }
@@ -96,7 +96,7 @@ class Simulation {
     return std::numbers::pi * (outer * outer - inner * inner) * static_cast<double>(waves());
   }
 
-  void add_photon_step_by_step(std::uint64_t index, Tally& tally) const {
+  void add_literal_photon(std::uint64_t index, Tally& tally) const {
     algebra::Random random(settings_.seed, index);
     const auto wave =
         static_cast<std::size_t>(random.uniform() * static_cast<double>(optics_.size()));
@@ -142,7 +142,7 @@ class Simulation {
   const PhotonSettings& settings_;
   std::vector<atmosphere::Optics> optics_;
   Rings rings_;
-  std::optional<LimbLandings> landings_;  ///< for Trace::table
+  std::optional<LimbLandings> landings_;  ///< none for literal photons
 };
 
 /// Progress by blocks done.
@@ -220,7 +220,7 @@ PhotonSums no_photons(const Atmosphere& atmosphere, const Arrangement& arrangeme
           settings.ring_width_m,
           rings,
           settings.sectors,
-          settings.trace != Trace::step_by_step,
+          !settings.literal,
           {},
           nothing,
           nothing};

@@ -115,7 +115,7 @@ nlohmann::ordered_json as_json(const uses::ShadowProfile& result, const uses::Li
                                const shadow::Arrangement& arrangement) {
   return {{"moon_distance_km", arrangement.depths_m[0] / 1e3},
           {"sun_distance_km", arrangement.sun_distance_m / 1e3},
-          {"solver", light.solver == uses::Solver::photons ? "photons" : "quadrature"},
+          {"solver", plan::traces_photons(light.solver) ? "photons" : "quadrature"},
           {"wavelengths_nm", result.wavelengths_nm},
           {"axis_distance_km", in_kilometres(result.axis_distances_m)},
           {"irradiance_ratio", rows_of(result.ratio)},
@@ -268,9 +268,8 @@ void add_shadow(CLI::App& program) {
   auto& all = parameters_of(*verb);
   for (const char* of_a_moon : {"planes", "place-error", "budget"})
     all.find(of_a_moon)->only_with({});
-  for (const char* of_photons :
-       {"trace", "photons", "seed", "step-km", "ring-km", "smoothing-km"})
-    all.find(of_photons)->only_with({{"solver", {"photons"}}, {"quality", {"paper"}}});
+  for (const char* of_photons : {"photons", "seed", "ring-km", "smoothing-km"})
+    all.find(of_photons)->only_with({{"solver", {"photons", "literal"}}, {"quality", {"paper"}}});
   all.find("bands")->only_with({{"lookup"}});
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });

@@ -104,10 +104,8 @@ void register_kernels(const char* preset) {
   registered("by_quadrature", preset, by_quadrature, preset)
       ->UseRealTime()
       ->MeasureProcessCPUTime();
-  using shadow::Trace;
   shadow::PhotonSettings settings;
   settings.photons = 100 * shadow::photons_a_block;
-  settings.trace = Trace::table;
   registered("photons_table", preset, by_photons, preset, settings)
       ->UseRealTime()
       ->MeasureProcessCPUTime();

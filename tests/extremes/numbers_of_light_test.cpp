@@ -25,7 +25,6 @@ namespace {
 using atmosphere::Atmosphere;
 using atmosphere::Density;
 using shadow::Arrangement;
-using shadow::Trace;
 
 constexpr double au_m = almanac::astronomical_unit_m;
 const Arrangement february_2008{1.479e11, {3.83e8}};
@@ -47,11 +46,11 @@ void expect_light(const shadow::RefractedLight& light, std::string_view what) {
     EXPECT_TRUE(std::ranges::all_of(grid.values(), is_light)) << what;
 }
 
-shadow::PhotonSettings photons_of(std::uint64_t count, Trace trace, double ring_m,
+shadow::PhotonSettings photons_of(std::uint64_t count, bool literal, double ring_m,
                                   std::size_t sectors = 1) {
   shadow::PhotonSettings settings;
   settings.photons = count;
-  settings.trace = trace;
+  settings.literal = literal;
   settings.ring_width_m = ring_m;
   settings.sectors = sectors;
   return settings;
@@ -238,8 +237,8 @@ TEST(Light, OfAirThatIsBlackIsNoneAndNeverNoNumber) {
     EXPECT_TRUE(is_light(lookup.worst_relative_error(light, weights, 0, 4e6)));
     add_twilight(light, air);
     expect_light(light, "black air and twilight");
-    for (const auto trace : {Trace::step_by_step, Trace::table}) {
-      const auto photons = by_photons(air, february_2008, waves, photons_of(1, trace, 5e5, 2));
+    for (const bool literal : {true, false}) {
+      const auto photons = by_photons(air, february_2008, waves, photons_of(1, literal, 5e5, 2));
       expect_light(photons, "photons in black air");
     }
   }
@@ -249,8 +248,8 @@ TEST(Light, OfAirThatIsBlackIsNoneAndNeverNoNumber) {
 }
 
 TEST(Light, OfOnePhotonAndOneWavelengthIsFiniteAndItsErrorUnknown) {
-  for (const auto trace : {Trace::step_by_step, Trace::table}) {
-    const auto light = by_photons(Atmosphere{}, february_2008, green, photons_of(1, trace, 5e4));
+  for (const bool literal : {true, false}) {
+    const auto light = by_photons(Atmosphere{}, february_2008, green, photons_of(1, literal, 5e4));
     EXPECT_EQ(light.photons, shadow::photons_a_block);
     expect_light(light, "one photon");
     for (std::size_t i = 0; i < light.ratio[0].values().size(); ++i)
@@ -285,14 +284,14 @@ TEST(Light, OfRegionsWhoseAirEndsLowerOrIsNoneLosesNothing) {
     for (std::size_t s = 0; s < light.sectors; s += 6)
       worst.see_relative(flux_m2(light, s), flux_m2(whole, 0));
     const auto gathered = means_over_rings(
-        shadow::traced(mixed, february_2008, green, photons_of(200'000, Trace::table, 2e6, 2)));
+        shadow::traced(mixed, february_2008, green, photons_of(200'000, false, 2e6, 2)));
     holds(fmt::format("air to 86 km, in the south to {:.0f} km, straight and clear",
                       atmosphere::top_m(region) / 1e3),
           "light of the whole plane, over that of one air", 1e-3, worst, "10 km between places");
     Worst noise;
     for (std::size_t s = 0; s < 2; ++s) noise.see_relative(flux_m2(gathered, s), flux_m2(whole, 0));
-    holds("the same by photons", "light north and south, over that of one air", 0.01,
-          noise, "noise of 200 000 photons");
+    holds("the same by photons", "light north and south, over that of one air", 0.01, noise,
+          "noise of 200 000 photons");
   }
 }
 

@@ -128,6 +128,7 @@ constexpr Meaning flags_elsewhere[] = {
 /// Flags of earlier versions, and what to do now.
 constexpr Meaning flags_before[] = {
     {"precision", "photons are no longer marched; --tolerance says how exact light is to be"},
+    {"trace", "the solver photons goes by a table, literal steps each photon as in the paper"},
 };
 
 /// Names of commands in other programs, and ours.

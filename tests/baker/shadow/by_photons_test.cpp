@@ -21,6 +21,7 @@ const std::vector<double> waves{500, 580, 680};
 PhotonSettings settings_of(std::uint64_t photons, double ring_m) {
   PhotonSettings settings;
   settings.photons = photons;
+  settings.literal = true;
   settings.ring_width_m = ring_m;
   return settings;
 }
@@ -64,9 +65,9 @@ TEST(ByPhotonsThoroughly, CarryTheMeanThatTheQuadratureCarries) {
 }
 
 TEST(ByPhotons, AreTheSamePhotonsWhateverTheNumberOfThreads) {
-  for (const auto trace : {Trace::step_by_step, Trace::table}) {
-    auto settings = settings_of(trace == Trace::table ? 300'000 : 5'000, 100e3);
-    settings.trace = trace;
+  for (const bool literal : {true, false}) {
+    auto settings = settings_of(literal ? 5'000 : 300'000, 100e3);
+    settings.literal = literal;
     std::vector<RefractedLight> runs;
     for (const std::size_t threads : {1U, 2U, 3U}) {
       const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
@@ -218,7 +219,7 @@ const RefractedLight& exactly(bool regions) {
 
 PhotonSettings by_the_table(std::uint64_t photons, double ring_m) {
   auto settings = settings_of(photons, ring_m);
-  settings.trace = Trace::table;
+  settings.literal = false;
   settings.sectors = sectors_around;
   return settings;
 }

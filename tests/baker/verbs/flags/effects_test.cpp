@@ -349,7 +349,7 @@ struct LightSubject : Subject {
       const auto light = light_on_the_moon(asked, sky, {.error_told = false});
       const auto& work = light.plan.work;
       Numbers numbers{double(work.bands), double(work.rays), double(work.planes),
-                      work.place_error,   work.photons,      double(work.method)};
+                      work.place_error,   work.photons,      double(work.solver)};
       if (!photons) numbers.push_back(work.sun_terms);
       for (const auto& ratio : light.refracted->ratio)
         numbers.insert(numbers.end(), ratio.values().begin(), ratio.values().end());
