@@ -141,7 +141,7 @@ std::vector<std::string> write_shader(const fs::path& folder, const EclipseShade
       {"eclipse.osl", files::stamped(osl_of(shader.formula, head), "//")},
       {"eclipse.glsl", files::stamped(glsl_of(shader.formula, head), "//")},
       {"eclipse.mtlx", files::stamped(materialx_of(shader.formula, head), "<!--", " -->")},
-      {"eclipse.inc", files::stamped(povray_of(shader.formula, head), "//")},
+      {"eclipse.inc", files::stamped(povray_of(shader.motion, shader.strip, head), "//")},
       {"eclipse.pov", files::stamped(scene_of(shader, head), "//")}};
   for (const auto& [name, text] : texts) files::require_stamped(folder / name);
   for (const auto* name : {strip_file, "eclipse.json"}) files::require_no_link(folder / name);
