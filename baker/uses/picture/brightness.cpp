@@ -8,7 +8,6 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <limits>
 
 #include "algebra/error.h"
 #include "almanac/instant.h"
@@ -60,6 +59,7 @@ BrightnessSeen seen_of(const LitMoon& moon, const ViewRequest& view, const textu
   const auto place = apparent_place(observer, sky);
   const ClearSky clear(observer, sky, air_over(observer, view), magnitudes[V_band]);
   BrightnessSeen seen{
+      observer,
       place,
       measured(meter, from.sightline ? texture_in(meter, moon, moon.albedo->rows()) : above, sky,
                from_m),
@@ -75,7 +75,7 @@ MoonBrightness brightness_of(const LitMoon& moon, const ViewRequest& view) {
   const auto& sky = moon.sky;
   const auto meter = photometer();
   const auto texture = texture_in(meter, moon, moon.albedo->rows());
-  MoonBrightness brightness{measured(meter, texture, sky), {}};
+  MoonBrightness brightness{sky.when, measured(meter, texture, sky), {}};
   const auto& magnitudes = brightness.disc.magnitudes;
   if (!moon.request.unshadowed && in_totality(sky.when)) {
     brightness.danjon = danjon_estimate(magnitudes[V_band]);
@@ -87,6 +87,10 @@ MoonBrightness brightness_of(const LitMoon& moon, const ViewRequest& view) {
 }
 
 }  // namespace
+
+double level_illuminance_lx(const BrightnessSeen& seen) {
+  return seen.disc.illuminance_lx * std::max(0., std::sin(algebra::in_radians(seen.moon.altitude)));
+}
 
 std::optional<double> totality_error_mag(const Air& air, double year) {
   const bool dated = air.atmosphere == "standard" || air.atmosphere == "calibrated";
@@ -136,43 +140,15 @@ LightCurve light_curve(const MoonRequest& moon, const std::vector<almanac::Insta
                                  : light_on_the_way(moon.light, moon_on_its_way(moon.light, skies),
                                                     {.error_told = false}, progress),
                  rows);
-  std::vector<MoonBrightness> all(moments.size());
+  LightCurve curve;
+  curve.moments.resize(moments.size());
   tbb::parallel_for(std::size_t{0}, moments.size(), [&](std::size_t i) {
     auto here = over_all;
     here.sky = almanac::sky_at(moments[i]);
     if (!moon.unshadowed) here.within = range_at(*here.light, here.sky);
-    all[i] = brightness_of(here, view);
+    curve.moments[i] = {brightness_of(here, view), view.observer.has_value(), {}};
   });
-  LightCurve curve{moments, {}};
-  const auto add = [&](const std::string& name, const auto& number_of) {
-    auto& numbers = curve.columns.emplace_back(name, std::vector<double>{}).second;
-    for (const auto& each : all) numbers.push_back(number_of(each));
-  };
-  const auto add_disc = [&](const std::string& prefix, const auto& add_number) {
-    for (std::size_t k = 0; k < photometric_bands().size(); ++k)
-      add_number(fmt::format("{}{}_magnitude", prefix, photometric_bands()[k].name),
-                 [k](const auto& bright) { return bright.disc.magnitudes[k]; });
-    add_number(prefix + "mean_luminance_cd_m2",
-               [](const auto& bright) { return bright.disc.mean_luminance_cd_m2; });
-    add_number(prefix + "illuminance_lx",
-               [](const auto& bright) { return bright.disc.illuminance_lx; });
-  };
-  add_disc("", add);
-  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  add("V_error", [](const auto& bright) { return bright.V_error.value_or(none); });
-  if (!view.observer) return curve;
-  const auto add_seen = [&](const std::string& name, const auto& number_of) {
-    add(name, [&](const auto& bright) { return bright.seen ? number_of(*bright.seen) : none; });
-  };
-  add_seen("altitude_deg",
-           [](const auto& seen) { return algebra::in_degrees(seen.moon.altitude); });
-  add_seen("azimuth_deg", [](const auto& seen) { return algebra::in_degrees(seen.moon.azimuth); });
-  add_disc("seen_", add_seen);
-  add_seen("seen_level_illuminance_lx", [](const auto& seen) {
-    return seen.disc.illuminance_lx *
-           std::max(0., std::sin(algebra::in_radians(seen.moon.altitude)));
-  });
-  add_seen("sky_cd_m2", [](const auto& seen) { return seen.sky_cd_m2; });
+  curve.columns = result::columns_of(curve.moments);
   return curve;
 }
 
