@@ -8,6 +8,7 @@
 #include "files/cache_folder.h"
 #include "files/endings.h"
 #include "files/fingerprint.h"
+#include "files/lock.h"
 #include "files/memory.h"
 #include "files/whole_file.h"
 #include "request/recipe.h"
@@ -333,7 +334,7 @@ void run_with_cache(const CLI::App& verb, const Options& options) {
   if (files::is_usual_cache(options.cache)) limit_gb = cache_limit_gb();
   const auto output = place_in_cache(verb, options);
   if (!is_kept(output.path)) {
-    const files::FileLock lock(output.path, [&] {
+    const auto lock = files::lock_file(output.path, [&] {
       fmt::print(stderr, "coppermoon: waiting for another process, which bakes {}\n",
                  output.path.string());
     });

@@ -13,6 +13,7 @@
 #include "algebra/error.h"
 #include "algebra/number.h"
 #include "files/cache_folder.h"
+#include "files/environment.h"
 #include "texture/read_image.h"
 #include "verbs/command_line.h"
 #include "verbs/reports/one_line.h"
@@ -118,8 +119,8 @@ void run(const Options& options) {
 }  // namespace of_cache
 
 double cache_limit_gb() {
-  const char* const text = std::getenv("COPPERMOON_CACHE_LIMIT");
-  if (text == nullptr || *text == '\0') return 20;
+  const auto text = files::variable("COPPERMOON_CACHE_LIMIT");
+  if (text.empty()) return 20;
   const auto number = algebra::number_in(text);
   if (!number || !(*number >= 0))
     throw algebra::Error(fmt::format(

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "end_to_end/program.h"
-#include "files/folder_lock.h"
+#include "files/lock.h"
 #include "texture/image.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
@@ -106,7 +106,7 @@ TEST_F(FilmFolderThoroughly, OfAnotherSceneIsRefusedOrMadeAnew) {
 
 TEST_F(FilmFolder, IsNotSharedWithAnotherFilmThatIsBeingMade) {
   fs::create_directory(here("film"));
-  const files::FolderClaim another(here("film"), 1);
+  const auto another = files::claim_folder(here("film"), 1);
   const auto outcome = coppermoon(film({"--frames", "2", "--replace"}));
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.err,

@@ -3,16 +3,13 @@ cmake_minimum_required(VERSION 3.25)
 # The check itself is checked: each wrong include, planted in a copy, must be found, and no sound one.
 #   cmake -DROOT=<source folder> -DCOPY=<scratch folder> -P includes_planted.cmake
 function(check_copy_with file line expected)
-  file(REMOVE_RECURSE ${COPY})
-  file(MAKE_DIRECTORY ${COPY})
-  file(COPY ${ROOT}/baker ${ROOT}/colour ${ROOT}/povray_scenes DESTINATION ${COPY})
   if(NOT EXISTS ${COPY}/${file})
     message(FATAL_ERROR "${file}: not there to plant in")
   endif()
   file(APPEND ${COPY}/${file} "${line}\n")
   execute_process(COMMAND ${CMAKE_COMMAND} -DROOT=${COPY} -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/includes.cmake
                   RESULT_VARIABLE status ERROR_VARIABLE said OUTPUT_QUIET)
-  file(REMOVE_RECURSE ${COPY})
+  file(COPY_FILE ${ROOT}/${file} ${COPY}/${file})
   string(REGEX REPLACE "/CMakeLists.txt" "" place "${file}")  # a stage's needs are told by its name
   string(REGEX REPLACE ".*/([a-z]+)$" "\\1: needs" place "${place}")
   if(expected STREQUAL "found" AND (status EQUAL 0 OR NOT said MATCHES "${place}"))
@@ -21,6 +18,9 @@ function(check_copy_with file line expected)
     message(FATAL_ERROR "${file}: ${line} was refused\n${said}")
   endif()
 endfunction()
+
+file(REMOVE_RECURSE ${COPY})
+file(COPY ${ROOT}/baker ${ROOT}/colour ${ROOT}/povray_scenes DESTINATION ${COPY})
 
 check_copy_with(baker/almanac/sky.h "#include \"shadow/irradiance.h\"" found)
 check_copy_with(baker/atmosphere/density.cpp "#  include <eclipse/contacts.h>" found)
@@ -41,7 +41,14 @@ check_copy_with(baker/uses/picture/moon.cpp "#include \"uses/compare/comparison.
 check_copy_with(baker/uses/picture/moon.cpp "const char* hint = \"see --albedo-map\"\;" found)
 check_copy_with(baker/shadow/CMakeLists.txt "coppermoon_stage(shadow NEEDS texture)" found)
 check_copy_with(baker/uses/light/CMakeLists.txt "coppermoon_stage(light NEEDS picture)" found)
+foreach(line "#include <unistd.h>" "#  include <sys/stat.h>" "#include <csignal>" "const int id = ::fork()\;"
+             "const char* name = \"/proc/self/exe\"\;" "bool seen() { return isatty(2)\; }")
+  check_copy_with(baker/coppermoon.cpp "${line}" found)
+  check_copy_with(baker/files/handle.h "${line}" found)
+  check_copy_with(baker/files/handle_posix.cpp "${line}" sound)
+endforeach()
 check_copy_with(baker/verbs/still.cpp "#include \"colour/exposure.h\"" sound)
 check_copy_with(baker/verbs/still.cpp "#include \"uses/compare/comparison.h\"" sound)
 check_copy_with(baker/shadow/lookup.cpp "#include \"algebra/error.h\"" sound)
 check_copy_with(baker/uses/compare/comparison.cpp "#include \"uses/light/moonlight.h\"" sound)
+file(REMOVE_RECURSE ${COPY})

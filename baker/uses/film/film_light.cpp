@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "algebra/error.h"
-#include "files/folder_lock.h"
+#include "files/lock.h"
 #include "files/own_file.h"
 #include "request/recipe.h"
 #include "uses/light/light_file.h"
@@ -70,7 +70,7 @@ std::optional<Moonlight> kept_on_the_way(const Film& film, const ShadowedMoon& m
 
 FilmLight film_light(const Film& film, bool replace, const algebra::Progress& progress) {
   const auto moon = moon_of(film, film.moon.light);
-  const files::FolderLock alone(film.folder);
+  const auto alone = files::lock_folder(film.folder);
   if (auto kept = kept_on_the_way(film, moon, replace)) return {std::move(*kept), true};
   auto light =
       light_on_the_way(with_shards(film.moon.light, film.folder), moon, purpose_of(film), progress);

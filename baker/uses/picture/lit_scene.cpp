@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "files/folder_lock.h"
+#include "files/lock.h"
 #include "files/own_file.h"
 #include "files/whole_file.h"
 #include "povray_scenes/mitsuba.h"
@@ -119,7 +119,7 @@ void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene,
       .camera = scene.view.camera, .texture = texture_file, .lights = lights};
   std::error_code ignored;
   const bool made = std::filesystem::create_directory(folder, ignored);
-  const files::FolderLock alone(folder);
+  const auto alone = files::lock_folder(folder);
   try {
     texture::write_exr(folder / texture_file, scene.texture.parts, scene.texture.attributes);
     if (renderer == Renderer::mitsuba) return write_mitsuba_scene(folder, moon);
