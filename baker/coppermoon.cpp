@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <memory>
 #include <new>
 #include <string_view>
 #include <system_error>
@@ -18,8 +15,6 @@
 #include "files/memory.h"
 #include "files/standard_streams.h"
 #include "verbs/command_line.h"
-#include "verbs/flags/help.h"
-#include "verbs/flags/plain_error.h"
 #include "verbs/reports/one_line.h"
 
 namespace {
@@ -48,21 +43,16 @@ void find_time_zones() {
   if (std::filesystem::exists(own, failed)) files::set_missing_variable("TZDIR", own.string());
 }
 
-int run(CLI::App& program, int count, char** words) {
+int run(int count, char** words) {
   try {
-    verbs::run(program, {words + std::min(count, 1), words + count});
+    verbs::Program program;
+    add_verbs(program);
+    const auto [verb, text] = asked_by(program, {words + std::min(count, 1), words + count});
+    if (text.empty())
+      run(*verb);
+    else
+      fmt::print("{}", text);
     return 0;
-  } catch (const CLI::CallForHelp&) {
-    fmt::print("{}", verbs::help_called_for(program, false));
-    return 0;
-  } catch (const CLI::CallForAllHelp&) {
-    fmt::print("{}", verbs::help_called_for(program, true));
-    return 0;
-  } catch (const CLI::CallForVersion& call) {
-    return program.exit(call);
-  } catch (const CLI::ParseError& error) {
-    say(verbs::plain_error(error.what()));
-    return wrong_usage;
   } catch (const verbs::WrongUsage& error) {
     say(error.what());
     return wrong_usage;
@@ -84,11 +74,7 @@ int main(int count, char** words) {
   // OpenImageIO brings OpenBLAS along, whose threads nobody needs: where memory is short they never end
   files::set_missing_variable("OPENBLAS_NUM_THREADS", "1");
   find_time_zones();
-  CLI::App program{"coppermoon bakes eclipsed Moons", "coppermoon"};
-  std::unique_ptr<tbb::global_control> threads;
-  verbs::add_words(program);
-  verbs::add_threads(program, threads);
-  const int status = run(program, count, words);
+  const int status = run(count, words);
   const bool all_written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (all_written || status != 0) return status;
   say("standard output: cannot be written");

@@ -17,7 +17,6 @@
 #include "verbs/command_line.h"
 #include "verbs/flags/film_options.h"
 #include "verbs/flags/moon_options.h"
-#include "verbs/recipes/recipe.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/progress_bar.h"
 #include "verbs/reports/writers.h"
@@ -240,30 +239,29 @@ void run(const Options& options) {
 }  // namespace
 }  // namespace of_brightness
 
-void add_brightness(CLI::App& program) {
+void add_brightness(Program& program) {
   using namespace of_brightness;
-  auto* verb = add_verb(program, "brightness",
+  auto& verb = add_verb(program, "brightness",
                         "computes magnitudes, mean luminance and illuminance of the whole Moon, "
                         "above the air and seen from a place, at a moment or over time");
   const auto options = std::make_shared<Options>();
-  add_moon_options(*verb, options->moon);
-  add_described(*verb, options->view, uses::describe_observer);
-  add_flag(*verb, "--from", options->from,
+  add_moon_options(verb, options->moon);
+  add_described(verb, options->view, uses::describe_observer);
+  add_flag(verb, "--from", options->from,
            "first moment of a light curve, a time or a contact, as P1 or U2-10min, or moonrise; "
            "default: P1 where --to is given");
-  add_flag(*verb, "--to", options->to,
+  add_flag(verb, "--to", options->to,
            "last moment of a light curve, a time or a contact, as P4, or moonset; default: P4 "
            "where --from is given");
-  add_flag(*verb, "--step", options->step_min,
+  add_flag(verb, "--step", options->step_min,
            "minutes between the moments of a light curve, 0.01 to 1440")
       .within(0.01, 1440)
       .only_with({{"from"}, {"to"}});
-  add_outputs(*verb, options->outputs, writers());
-  add_json_switch(*verb, options->json,
+  add_outputs(verb, options->outputs, writers());
+  add_json_switch(verb, options->json,
                   {result::fields_of<uses::MoonBrightness>(), result::fields_of<Curve>()});
-  add_run_switch(*verb, "--csv", options->csv, "prints a table as CSV").not_beside({{"json"}});
-  add_recipe_option(*verb);
-  on_run(*verb, [options] { run(*options); });
+  add_run_switch(verb, "--csv", options->csv, "prints a table as CSV").not_beside({{"json"}});
+  on_run(verb, [options] { run(*options); });
 }
 
 }  // namespace coppermoon::verbs

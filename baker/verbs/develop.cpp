@@ -17,7 +17,6 @@
 #include "verbs/command_line.h"
 #include "verbs/flags/camera_options.h"
 #include "verbs/flags/named_files.h"
-#include "verbs/recipes/recipe.h"
 #include "verbs/recipes/recipe_file.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
@@ -217,33 +216,32 @@ void run(const Options& options) {
 }  // namespace
 }  // namespace of_develop
 
-void add_develop(CLI::App& program) {
+void add_develop(Program& program) {
   using namespace of_develop;
-  auto* verb =
+  auto& verb =
       add_verb(program, "develop",
                "develops a scene-linear frame: exposure, camera and view make a picture of it");
   const auto options = std::make_shared<Options>();
-  add_flag(*verb, "frame,--frame", options->frames,
+  add_flag(verb, "frame,--frame", options->frames,
            "frame, scene-linear, .exr [cd/m²], or a camera's raw file; several share one exposure")
       .reads_file()
       .of(request::Affects::share)
       .required();
-  add_flag(*verb, "-o,--output", options->output,
+  add_flag(verb, "-o,--output", options->output,
            "picture: " + files::in_words(uses::picture_files()) + "; for several frames a folder")
       .writes_file(uses::picture_files())
       .required();
   add_flag(
-      *verb, "--space", options->space,
+      verb, "--space", options->space,
       "colour space of the frame: lin_rec709, acescg or lin_ciexyzd65_scene; default: what the "
       "header or the name says");
-  add_described(*verb, options->sky_cd_m2, uses::describe_sky_of_frame);
-  add_described(*verb, options->develop);
-  add_described(*verb, options->develop.caption, uses::describe_caption);
-  add_described(*verb, options->develop.camera);
-  add_camera_file_options(*verb, options->develop.camera);
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
-  add_recipe_option(*verb);
-  on_run(*verb, [options] { run(*options); });
+  add_described(verb, options->sky_cd_m2, uses::describe_sky_of_frame);
+  add_described(verb, options->develop);
+  add_described(verb, options->develop.caption, uses::describe_caption);
+  add_described(verb, options->develop.camera);
+  add_camera_file_options(verb, options->develop.camera);
+  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  on_run(verb, [options] { run(*options); });
 }
 
 }  // namespace coppermoon::verbs

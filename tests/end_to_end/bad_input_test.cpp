@@ -207,7 +207,7 @@ TEST_F(BadInput, ARecipeWithASyntaxErrorIsAnsweredWithItsLine) {
 
 TEST_F(BadInput, ARecipeWithTablesIsRefused) {
   file("table.toml", "[rays]\nmany = 50\n");
-  expect_refused(bake({"--recipe", "table.toml"}), could_not, {"table.toml:1", "rays"});
+  expect_refused(bake({"--recipe", "table.toml"}), could_not, {"table.toml:2", "rays is no table"});
 }
 
 TEST_F(BadInput, AnUnknownKeyInATableOfTheAirIsAnsweredWithItsLineAndTheNearest) {
@@ -221,7 +221,8 @@ TEST_F(BadInput, AnUnknownKeyInATableOfTheAirIsAnsweredWithItsLineAndTheNearest)
 
 TEST_F(BadInput, ABadModelOfTheAirIsWrongUsage) {
   file("air.toml", "[atmosphere]\nmodel = \"martian\"\n");
-  expect_refused(bake({"--recipe", "air.toml"}), wrong_usage, {"--atmosphere", "martian", "paper"});
+  expect_refused(bake({"--recipe", "air.toml"}), wrong_usage,
+                 {"air.toml:2: atmosphere = martian", "paper"});
 }
 
 TEST_F(BadInput, ABadRegionInARecipeIsRefusedWithItsLine) {

@@ -50,8 +50,7 @@ foreach(stage ${stages})
   endforeach()
 endforeach()
 
-# The command line and the libraries that it stands on belong to verbs, each image and colour library to one stage.
-set(owner_CLI "^verbs$")
+# The command line belongs to verbs, each library of recipes, image and colour library to one stage.
 set(owner_toml++ "^(request|verbs)$")
 set(owner_verbs "^verbs$")
 set(owner_Eigen "^(compare|fit)$")
@@ -99,7 +98,7 @@ foreach(file ${files})
   endforeach()
   # Who uses the library has no command line. What avif_file tells avifenc is no flag of ours.
   if(file MATCHES "^baker/uses/" AND NOT file STREQUAL "baker/uses/picture/avif_file.cpp")
-    file(STRINGS ${ROOT}/${file} lines REGEX "\"[^\"]*--[a-z][^\"]*\"|progress bar|std::_?[eE]xit|toml|CLI11")
+    file(STRINGS ${ROOT}/${file} lines REGEX "\"[^\"]*--[a-z][^\"]*\"|progress bar|std::_?[eE]xit|toml")
     foreach(line ${lines})
       string(APPEND wrong "${file}: a word of the command line: ${line}\n")
     endforeach()

@@ -34,7 +34,6 @@ check_copy_with(povray_scenes/scene.cpp "#include \"verbs/verbs.h\"" found)
 check_copy_with(baker/verbs/still.cpp "const char* renderer = \"povray\"\;" found)
 check_copy_with(baker/eclipse/contacts.h "#include \"files/whole_file.h\"" found)  # before it, and not among its needs
 check_copy_with(baker/uses/light/air.h "#include \"verbs/air_options.h\"" found)
-check_copy_with(baker/uses/light/air.cpp "#include <CLI/CLI.hpp>" found)
 check_copy_with(baker/uses/film/film.cpp "#include <toml++/toml.h>" found)
 check_copy_with(baker/uses/light/moonlight.cpp "#include \"uses/picture/moon.h\"" found)
 check_copy_with(baker/uses/picture/moon.cpp "#include \"uses/compare/comparison.h\"" found)

@@ -50,8 +50,11 @@ BakedMoon texture_of(const Film& film, const LitMoon& lit, std::size_t frame) {
     content.space = picture_space;
     content.passes = false;
   }
-  auto moon = baked(lit, content, {extent});
-  for (const auto& [name, value] : header_of(film, frame)) moon.attributes[name] = value;
+  auto header = header_of(film, frame);
+  auto moon = baked(lit, content, {.extent = extent, .recipe = [](const auto&, const auto&) {
+                                     return std::string();  // the film's, of its header
+                                   }});
+  for (const auto& [name, value] : header) moon.attributes[name] = value;
   moon.attributes["framesPerSecond"] =
       std::vector{static_cast<float>(film.fps.frames), static_cast<float>(film.fps.seconds)};
   return moon;

@@ -61,11 +61,13 @@ texture::Attributes attitude(const LitMoon& moon) {
   return attributes;
 }
 
-texture::Attributes header(const LitMoon& moon, const TextureContent& content) {
+texture::Attributes header(const LitMoon& moon, const TextureContent& content,
+                           const Baking& baking) {
   auto attributes = scene_linear_header(space_of(content), moon.sky.when);
   attributes["coppermoon:albedo_map"] = files::name_to_share(moon.request.albedo_map);
   attributes["coppermoon:relative_error"] = static_cast<float>(moon.light->error_found);
-  attributes["coppermoon:recipe"] = texture_recipe(moon, content);
+  attributes["coppermoon:recipe"] =
+      baking.recipe ? baking.recipe(moon, content) : texture_recipe(moon, content);
   attributes.merge(attitude(moon));
   if (content.spectral_nm) {
     attributes["spectralLayoutVersion"] = std::string("1.0");
@@ -294,7 +296,7 @@ BakedMoon baked(const LitMoon& moon, const TextureContent& content, const Baking
       colour::channel_weights(space, band_edges_nm(), moon.request.response.value_or(""));
   const auto of_moon = moonlight_weights(response, moon.sightline);
   const int wavelengths = moon.light->plan.work.bands;
-  BakedMoon made{{}, header(moon, content)};
+  BakedMoon made{{}, header(moon, content, baking)};
   const auto add = [&](const std::string& name, const Channels& channels, shadow::Lookup light,
                        const Held& held) {
     made.parts.push_back(part(moon, name, channels, std::move(light), held, baking));

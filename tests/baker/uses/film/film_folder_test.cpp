@@ -24,7 +24,7 @@ class FolderOfAFilm : public testing::Test {
     film_.folder = ::mkdtemp(name.data());
     film_.products.pictures = true;
     film_.moments.frames.resize(3);
-    film_.record.recipe = "iso = 800\n";
+    film_.record.recipe = request::recipe_in("iso = 800\n");
     film_.record.way_out = ", or sleep";
   }
   ~FolderOfAFilm() override { fs::remove_all(film_.folder); }
@@ -38,7 +38,7 @@ class FolderOfAFilm : public testing::Test {
   void write(const fs::path& picture, int frame) const { write(picture, frame, film_.record); }
 
   Film film_;
-  FilmRecord foreign_{.recipe = "iso = 100\n"};
+  FilmRecord foreign_{.recipe = request::recipe_in("iso = 100\n")};
 };
 
 TEST_F(FolderOfAFilm, HoldsAFrameThatIsWholeAndItsOwn) {

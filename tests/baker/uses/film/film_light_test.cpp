@@ -40,10 +40,14 @@ class WholeFilm : public testing::Test {
   FilmLight light(const LightRequest& request, const std::string& key = "",
                   bool replace = false) const {
     auto lit = film(request);
-    lit.record.recipe = key;
-    lit.record.affected = {{"ozone", request::Affects::photons},
-                           {"ozone-du", request::Affects::photons}};
+    lit.record.recipe = of_photons(key);
     return film_light(lit, replace);
+  }
+  /// Recipe of settings that photons depend on.
+  static request::Recipe of_photons(const std::string& text) {
+    auto recipe = request::recipe_in(text);
+    for (auto& setting : recipe) setting.affects = request::Affects::photons;
+    return recipe;
   }
 
   fs::path folder_;
@@ -126,8 +130,7 @@ TEST_F(WholeFilm, OfOtherSettingsIsRefusedInTheRecordsWords) {
   coarse.wish.tolerance = 0.05;
   EXPECT_FALSE(light(coarse, "ozone = 300\n").kept);
   auto other = film(coarse);
-  other.record.recipe = "ozone = 200\n";
-  other.record.affected = {{"ozone", request::Affects::photons}};
+  other.record.recipe = of_photons("ozone = 200\n");
   other.record.way_out = ", or leave it";
   try {
     film_light(other);

@@ -4,12 +4,10 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "algebra/error.h"
 #include "request/recipe.h"
 #include "support/within.h"
-#include "verbs/flags/verb.h"
+#include "verbs/command_line.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -237,8 +235,9 @@ Said said(const std::string& flag, const std::string& text) {
   Said all;
   Verb verb;
   add_film_options(verb, all.options);
-  verb.parse(std::vector<std::string>{"--" + flag + "=" + text});
-  all.line = request::recipe_line(*parameters_of(verb).find(flag));
+  take(verb, {"--" + flag + "=" + text});
+  all.line = text_of(request::recipe_of(
+      verb.parameters, [&](const auto& parameter) { return parameter.name == flag; }));
   return all;
 }
 
