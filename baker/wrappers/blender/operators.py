@@ -246,14 +246,4 @@ class ImportEclipse(bpy.types.Operator, ImportHelper):
         return {"FINISHED"}
 
 
-CLASSES = (BakeEclipse, StopBaking, AddEclipse, ImportEclipse)
-
-
-def register():
-    for one in CLASSES:
-        bpy.utils.register_class(one)
-
-
-def unregister():
-    for one in reversed(CLASSES):
-        bpy.utils.unregister_class(one)
+register, unregister = bpy.utils.register_classes_factory((BakeEclipse, StopBaking, AddEclipse, ImportEclipse))
