@@ -54,7 +54,7 @@ Json as_json(const request::Condition& condition) {
   return json;
 }
 
-/// Dependence of an effect: {"only_with": [{"name": "trace", "values": ["each"]}]}.
+/// Dependence of an effect: {"only_with": [{"name": "solver", "values": ["literal"]}]}.
 Json as_json(const request::Relation& relation) {
   auto conditions = Json::array();
   for (const auto& condition : relation.conditions) conditions.push_back(as_json(condition));
