@@ -27,7 +27,7 @@ def domes(wanted, textures):
         file = file_beside(texture, len(textures) > 1)
         os.makedirs(os.path.dirname(file), exist_ok=True)
         if not os.path.exists(file):
-            words = ["dome", f"--instant={texture.moment().replace(' ', 'T')}Z", *light, "--stars=off",
+            words = ["dome", f"--instant={texture.instant()}", *light, "--stars=off",
                      f"--width={WIDTH}", f"--output={file}"]
             for _ in program.run(words):
                 yield "night sky", len(files) / len(textures)

@@ -8,7 +8,7 @@ from mathutils import Matrix, Quaternion, Vector
 
 from . import program, values
 from .nodes import add, emptied
-from .observer import axes_of
+from .observer import axes_of, turn
 from .texture import MOON_RADIUS_KM, key
 
 NEARER = 1000  # by this the Moon is nearer and smaller than it was: 380 km off, with a radius of 1.7 km
@@ -24,19 +24,14 @@ def direction(place):
     return Vector((math.cos(altitude) * math.sin(azimuth), math.cos(altitude) * math.cos(azimuth), math.sin(altitude)))
 
 
-def seen_from(place, texture, faintest):
-    """Yields as `program.run`; returns the program's account of the sky at the texture's moment."""
-    return json.loads("".join((yield from program.run(
-        ["sky", f"--instant={texture.moment().replace(' ', 'T')}Z", f"--at={place}", "--json", f"--stars={faintest}"]))))
-
-
 def skies(wanted, textures):
-    """Yields as `program.run`; returns a sky for each texture, the first with its stars."""
-    all_of_them = []
+    """Yields as `program.run`; returns the program's account of the sky for each texture, the first with its stars."""
+    accounts = []
     for texture in textures:
-        faintest = NONE if all_of_them else NAKED_EYE
-        all_of_them.append((yield from seen_from(wanted.place.strip(), texture, faintest)))
-    return all_of_them
+        lines = yield from program.run(["sky", f"--instant={texture.instant()}", f"--at={wanted.place.strip()}",
+                                        "--json", f"--stars={NONE if accounts else NAKED_EYE}"])
+        accounts.append(json.loads("".join(lines)))
+    return accounts
 
 
 def scale(scene):
@@ -53,9 +48,7 @@ def hang_moon(moon, scene, textures, skies_seen):
         moon.location = scale(scene) * texture.distance * to_moon
         right = to_moon.cross(Vector((0, 0, 1))).normalized()
         seen = Matrix((right, right.cross(to_moon), -to_moon)).transposed()
-        turned = (seen @ Matrix(axes_of(texture, "zenith"))).to_quaternion()
-        turned.make_compatible(moon.rotation_quaternion)
-        moon.rotation_quaternion = turned
+        turn(moon, (seen @ Matrix(axes_of(texture, "zenith"))).transposed())
         key(moon, texture, "location", "rotation_quaternion")
 
 
@@ -105,8 +98,8 @@ def hang_stars(stars, scene, textures, skies_seen):
     latitude = math.radians(skies_seen[0]["observer_latitude_deg"])
     pole = Vector((0, math.cos(latitude), math.sin(latitude)))
     for texture in textures:
-        turn = math.tau * 1.0027379 * ((texture.second() - textures[0].second()) % 86400) / 86400
-        stars.rotation_quaternion = Quaternion(pole, -turn)
+        angle = math.tau * 1.0027379 * ((texture.second() - textures[0].second()) % 86400) / 86400
+        stars.rotation_quaternion = Quaternion(pole, -angle)
         key(stars, texture, "rotation_quaternion")
 
 

@@ -89,6 +89,10 @@ class Texture:
         """Its moment in UTC, as 2018-07-27 20:21:45; empty where the header has none."""
         return self.header.get("capDate", "").replace(":", "-", 2)
 
+    def instant(self):
+        """Its moment as the program reads it, as 2018-07-27T20:21:45Z."""
+        return self.moment().replace(" ", "T") + "Z"
+
     def second(self):
         """Time of day of its moment [s]."""
         return second_of_day(self.header.get("capDate", ""))
