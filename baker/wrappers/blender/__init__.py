@@ -12,18 +12,14 @@ bl_info = {
 
 from . import operators, panel, preferences, saving, values
 
+MODULES = (preferences, values, operators, panel, saving)
+
 
 def register():
-    preferences.register()
-    values.register()
-    operators.register()
-    panel.register()
-    saving.register()
+    for module in MODULES:
+        module.register()
 
 
 def unregister():
-    saving.unregister()
-    panel.unregister()
-    operators.unregister()
-    values.unregister()
-    preferences.unregister()
+    for module in reversed(MODULES):
+        module.unregister()

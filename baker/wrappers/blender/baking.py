@@ -25,7 +25,7 @@ class Baked:
 
 
 def light_of(texture):
-    return moonlight.illuminance(moonlight.shrunk(texture.path, moon.set_colours(texture)), texture)
+    return moonlight.illuminance(moonlight.shrunk(texture), texture)
 
 
 def parts_of(contacts, textures):
@@ -41,15 +41,12 @@ def parts_of(contacts, textures):
 
 def eclipses(first, last):
     """Yields as `program.run`; returns the almanac's eclipses between two moments."""
-    lines = []
-    yield from program.run(["almanac", "--json", f"--from={first}", f"--to={last}"], lines.append)
-    return json.loads("".join(lines))
+    return json.loads("".join((yield from program.run(["almanac", "--json", f"--from={first}", f"--to={last}"]))))
 
 
 def bake_texture(moment, words):
-    lines = []
-    yield from program.run(["bake", f"--instant={moment}", *words, f"--cache={preferences.texture_folder()}"],
-                           lines.append)
+    lines = yield from program.run(
+        ["bake", f"--instant={moment}", *words, f"--cache={preferences.texture_folder()}"])
     return Texture(lines[-1])
 
 
@@ -62,7 +59,7 @@ def bake_shader(wanted, textures):
     day = values.day_of(wanted)
     words = ["shader", f"--eclipse={day}", *values.light_options(wanted)]
     folder = film_folder(day, words)
-    yield from program.run([*words, f"--output={folder}"], lambda line: None)
+    yield from program.run([*words, f"--output={folder}"])
     words = [*values.options(wanted), "--unshadowed"]
     sunlit = []
     for texture in (textures[0], textures[-1]):

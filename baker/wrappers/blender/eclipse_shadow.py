@@ -8,17 +8,19 @@ import bpy
 import numpy
 
 from . import moon, moonlight
+from .nodes import add, first
 from .texture import second_of_day
 from .wrong import Wrong
 
 NAME = "Eclipse shadow"
-MATHS = {"add": "ADD", "subtract": "SUBTRACT", "multiply": "MULTIPLY", "divide": "DIVIDE", "min": "MINIMUM",
-         "sqrt": "SQRT", "atan2": "ARCTAN2", "floor": "FLOOR"}
-FUNCTIONS = {"add": numpy.add, "subtract": numpy.subtract, "multiply": numpy.multiply, "divide": numpy.divide,
-             "min": numpy.minimum, "sqrt": numpy.sqrt, "atan2": numpy.arctan2, "floor": numpy.floor,
-             "clamp": lambda a: numpy.clip(a, 0, 1), "mix": lambda a, b, share: a + (b - a) * share,
+# Blender's name of an operation, and numpy's function.
+MATHS = {"add": ("ADD", numpy.add), "subtract": ("SUBTRACT", numpy.subtract), "multiply": ("MULTIPLY", numpy.multiply),
+         "divide": ("DIVIDE", numpy.divide), "min": ("MINIMUM", numpy.minimum), "sqrt": ("SQRT", numpy.sqrt),
+         "atan2": ("ARCTAN2", numpy.arctan2), "floor": ("FLOOR", numpy.floor)}
+FUNCTIONS = {"clamp": lambda a: numpy.clip(a, 0, 1), "mix": lambda a, b, share: a + (b - a) * share,
              "dotproduct": lambda a, b: numpy.sum(a * b, axis=-1, keepdims=True),
-             "normalize": lambda a: a / numpy.linalg.norm(a, axis=-1, keepdims=True)}
+             "normalize": lambda a: a / numpy.linalg.norm(a, axis=-1, keepdims=True),
+             **{name: function for name, (_, function) in MATHS.items()}}
 
 
 class Shader:
@@ -81,74 +83,49 @@ class Builder:
     """Nodes of the formula's steps in a group."""
 
     def __init__(self, group, shader):
-        self.nodes, self.links, self.shader = group.nodes, group.links, shader
-        self.inputs = self.nodes.new("NodeGroupInput")
+        self.group, self.shader = group, shader
+        self.inputs = add(group, "NodeGroupInput").outputs
         self.sockets, self.count = [], 0
 
-    def node(self, kind, **settings):
-        node = self.nodes.new(kind)
-        node.location = (200 * (self.count // 8), -160 * (self.count % 8))
-        node.hide = True
+    def node(self, kind, inputs, **settings):
+        node = add(self.group, kind, inputs, (200 * (self.count // 8), -160 * (self.count % 8)), hide=True, **settings)
         self.count += 1
-        for name, value in settings.items():
-            setattr(node, name, value)
         return node
 
-    def put(self, socket, value):
-        """Links a socket, or sets its value."""
-        if isinstance(value, bpy.types.NodeSocket):
-            self.links.new(value, socket)
-        else:
-            socket.default_value = value
+    def number(self, operation, *operands):
+        return self.node("Math", enumerate(operands), operation=operation).outputs[0]
 
-    def made(self, kind, operation, *operands, output=0):
-        node = self.node(kind, operation=operation)
-        for socket, operand in zip(node.inputs, operands):
-            self.put(socket, operand)
-        return node.outputs[output]
+    def vector(self, operation, *operands, output=0):
+        return self.node("VectorMath", enumerate(operands), operation=operation).outputs[output]
 
     def scaled(self, vector, number):
-        node = self.node("ShaderNodeVectorMath", operation="SCALE")
-        self.put(node.inputs[0], vector)
-        self.put(node.inputs["Scale"], number)
-        return node.outputs[0]
+        return self.node("VectorMath", {0: vector, "Scale": number}, operation="SCALE").outputs[0]
 
     def texel(self, u, v):
-        across = self.made("ShaderNodeMath", "SUBTRACT", 1.0, v)
-        place = self.node("ShaderNodeCombineXYZ")
-        self.put(place.inputs[0], u)
-        self.put(place.inputs[1], across)
-        image = self.node("ShaderNodeTexImage", interpolation="Linear", extension="EXTEND", image=self.shader.image())
-        self.links.new(place.outputs[0], image.inputs["Vector"])
-        return image.outputs["Color"]
+        place = self.node("CombineXYZ", {0: u, 1: self.number("SUBTRACT", 1.0, v)}).outputs[0]
+        return self.node("TexImage", {"Vector": place}, interpolation="Linear", extension="EXTEND",
+                         image=self.shader.image()).outputs["Color"]
 
     def value(self, step):
         operation, of = step["operation"], [self.sockets[operand] for operand in step["from"]]
-        if operation == "place":
-            return self.inputs.outputs["Place"]
-        if operation == "time":
-            return self.inputs.outputs["Time"]
+        if operation in ("place", "time"):
+            return self.inputs[operation.capitalize()]
         if operation == "constant":
             return step["value"]
         if operation == "image":
             return self.texel(*of)
         if operation == "clamp":
-            node = self.node("ShaderNodeClamp")
-            self.put(node.inputs["Value"], of[0])
-            return node.outputs[0]
+            return self.node("Clamp", {"Value": of[0]}).outputs[0]
         if operation == "dotproduct":
-            return self.made("ShaderNodeVectorMath", "DOT_PRODUCT", *of, output="Value")
+            return self.vector("DOT_PRODUCT", *of, output="Value")
         if operation == "normalize":
-            return self.made("ShaderNodeVectorMath", "NORMALIZE", *of)
-        if step["kind"] == "float":
-            return self.made("ShaderNodeMath", MATHS[operation], *of)
+            return self.vector("NORMALIZE", *of)
         if operation == "mix":
-            further = self.made("ShaderNodeVectorMath", "SUBTRACT", of[1], of[0])
-            return self.made("ShaderNodeVectorMath", "ADD", of[0], self.scaled(further, of[2]))
+            return self.vector("ADD", of[0], self.scaled(self.vector("SUBTRACT", of[1], of[0]), of[2]))
+        if step["kind"] == "float":
+            return self.number(MATHS[operation][0], *of)
         kinds = [self.shader.steps[operand]["kind"] for operand in step["from"]]
-        if operation == "multiply" and kinds[0] != kinds[1]:
-            return self.scaled(*of)
-        return self.made("ShaderNodeVectorMath", MATHS[operation], *of)
+        return self.scaled(*of) if kinds[0] != kinds[1] else self.vector(MATHS[operation][0], *of)
 
 
 def add_sockets(group):
@@ -169,8 +146,7 @@ def new_group(shader):
     builder = Builder(group, shader)
     for step in shader.steps:
         builder.sockets.append(builder.value(step))
-    output = builder.node("NodeGroupOutput")
-    builder.links.new(builder.sockets[-1], output.inputs["Light"])
+    builder.node("NodeGroupOutput", {"Light": builder.sockets[-1]})
     return group
 
 
@@ -188,17 +164,15 @@ def drive(owner, path, first, last):
 
 def unshadow(material):
     """Has a material show its image texture alone."""
-    nodes, links = material.node_tree.nodes, material.node_tree.links
-    ours = [node for node in nodes if node.name.startswith(NAME)]
+    tree = material.node_tree
+    ours = [node for node in tree.nodes if node.name.startswith(NAME)]
     for node in ours:
         group = getattr(node, "node_tree", None)
-        nodes.remove(node)
+        tree.nodes.remove(node)
         if group and group.users == 0:
             bpy.data.node_groups.remove(group)
     if ours:
-        texels = next(node for node in nodes if node.type == "TEX_IMAGE")
-        emission = next(node for node in nodes if node.type == "EMISSION")
-        links.new(texels.outputs["Color"], emission.inputs["Color"])
+        tree.links.new(first(tree, "TEX_IMAGE").outputs["Color"], first(tree, "EMISSION").inputs["Color"])
 
 
 def shadow_nodes(material, shader, textures, later):
@@ -208,47 +182,32 @@ def shadow_nodes(material, shader, textures, later):
 
     Returned  socket of a colour that is multiplied too
     """
-    tree = material.node_tree
-    nodes, links = tree.nodes, tree.links
     unshadow(material)
-    texels = next(node for node in nodes if node.type == "TEX_IMAGE")
-    emission = next(node for node in nodes if node.type == "EMISSION")
-
-    def new(kind, name, x, y, **settings):
-        node = nodes.new(kind)
-        node.name, node.location = f"{NAME} {name}".strip(), (x, y)
-        for setting, value in settings.items():
-            setattr(node, setting, value)
-        return node
-
-    place = new("ShaderNodeTexCoord", "place", -1100, -300)
-    last_texels = new("ShaderNodeTexImage", "later", -1200, 250, image=later, interpolation="Linear")
-    share = new("ShaderNodeValue", "share", -1100, 450)
-    change = new("ShaderNodeVectorMath", "change", -850, 250, operation="SUBTRACT")
-    part = new("ShaderNodeVectorMath", "part", -700, 250, operation="SCALE")
-    sunlit = new("ShaderNodeVectorMath", "sunlit", -550, 150, operation="ADD")
-    group = new("ShaderNodeGroup", "", -900, -300, node_tree=new_group(shader))
-    lit = new("ShaderNodeVectorMath", "lit", -600, 0, operation="MULTIPLY")
-    changed = new("ShaderNodeVectorMath", "phase", -300, -150, operation="MULTIPLY")
-    colour = new("ShaderNodeRGB", "factor", -600, -250)
-    links.new(place.outputs["Object"], group.inputs["Place"])
+    tree = material.node_tree
+    texels, emission = first(tree, "TEX_IMAGE"), first(tree, "EMISSION")
     texels.location = (-900, 0)
-    links.new(last_texels.outputs["Color"], change.inputs[0])
-    links.new(texels.outputs["Color"], change.inputs[1])
-    links.new(change.outputs[0], part.inputs[0])
-    links.new(share.outputs[0], part.inputs["Scale"])
-    links.new(texels.outputs["Color"], sunlit.inputs[0])
-    links.new(part.outputs[0], sunlit.inputs[1])
-    links.new(sunlit.outputs[0], lit.inputs[0])
-    links.new(group.outputs["Light"], lit.inputs[1])
-    links.new(lit.outputs[0], changed.inputs[0])
-    links.new(colour.outputs[0], changed.inputs[1])
-    links.new(changed.outputs[0], emission.inputs["Color"])
-    first, last = textures[0], textures[-1]
-    drive(share.outputs[0], "default_value", (first.frame(), 0), (last.frame(), 1))
-    drive(group.inputs["Time"], "default_value", (first.frame(), shader.time(first)),
-          (last.frame(), shader.time(last)))
-    return colour.outputs[0]
+
+    def new(kind, name, at, inputs=(), **settings):
+        return add(tree, kind, inputs, at, name=f"{NAME} {name}".strip(), **settings)
+
+    def vector(operation, name, at, inputs):
+        return new("VectorMath", name, at, inputs, operation=operation).outputs[0]
+
+    place = new("TexCoord", "place", (-1100, -300)).outputs["Object"]
+    group = new("Group", "", (-900, -300), {"Place": place}, node_tree=new_group(shader))
+    share = new("Value", "share", (-1100, 450)).outputs[0]
+    colour = new("RGB", "factor", (-600, -250)).outputs[0]
+    of_first, of_last = texels.outputs["Color"], new(
+        "TexImage", "later", (-1200, 250), image=later, interpolation="Linear").outputs["Color"]
+    change = vector("SUBTRACT", "change", (-850, 250), {0: of_last, 1: of_first})
+    part = vector("SCALE", "part", (-700, 250), {0: change, "Scale": share})
+    sunlit = vector("ADD", "sunlit", (-550, 150), {0: of_first, 1: part})
+    lit = vector("MULTIPLY", "lit", (-600, 0), {0: sunlit, 1: group.outputs["Light"]})
+    tree.links.new(vector("MULTIPLY", "phase", (-300, -150), {0: lit, 1: colour}), emission.inputs["Color"])
+    frames = textures[0], textures[-1]
+    drive(share, "default_value", *((texture.frame(), end) for end, texture in enumerate(frames)))
+    drive(group.inputs["Time"], "default_value", *((texture.frame(), shader.time(texture)) for texture in frames))
+    return colour
 
 
 def shade(material, shader, sunlit, textures, lights):
@@ -259,10 +218,10 @@ def shade(material, shader, sunlit, textures, lights):
            lights    illuminance by channel [lux], of each texture
     """
     factor = shadow_nodes(material, shader, textures, moon.image_of(sunlit[1]))
-    first, last = (moonlight.shrunk(one.path, moon.set_colours(one)) for one in sunlit)
+    before, after = (moonlight.shrunk(one) for one in sunlit)
     places = moonlight.places_of_texels()
     for i, (texture, lux) in enumerate(zip(textures, lights)):
-        texels = first + (last - first) * (i / (len(textures) - 1))
+        texels = before + (after - before) * (i / (len(textures) - 1))
         shaded = moonlight.illuminance(texels * shader.light(places, shader.time(texture)), texture)
         factor.default_value = (*(true / ours if ours > 0 else 1 for true, ours in zip(lux, shaded)), 1)
         factor.keyframe_insert("default_value", frame=texture.frame())

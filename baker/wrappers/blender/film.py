@@ -7,7 +7,8 @@ import bpy
 
 from . import values
 from .moon import first_known
-from .texture import header_of
+from .nodes import first
+from .texture import header_of, key
 
 VIEWS = ("Hue-preserving", "Un-tone-mapped", "Standard")  # in our configuration, in ACES', in Blender's
 MEAN = 0.25  # of the disc's strongest channel, after exposure: nothing clips
@@ -16,9 +17,8 @@ MEAN = 0.25  # of the disc's strongest channel, after exposure: nothing clips
 def black_world():
     world = bpy.data.worlds.new("Black")
     world.color = (0, 0, 0)
-    for node in world.node_tree.nodes if world.node_tree else ():  # of Blender 5: grey when new
-        if node.type == "BACKGROUND":
-            node.inputs["Color"].default_value = (0, 0, 0, 1)
+    if world.node_tree:  # of Blender 5: grey when new
+        first(world.node_tree, "BACKGROUND").inputs["Color"].default_value = (0, 0, 0, 1)
     return world
 
 
@@ -65,11 +65,11 @@ def set_time(scene, textures, parts, wanted):
             scene.timeline_markers.remove(marker)
     if len(textures) == 1:
         return
-    first, last = textures[0].frame(), textures[-1].frame()
-    if values.put(wanted, scene, frame_start=first, frame_end=last):
-        scene.frame_set(first)
+    begin, end = textures[0].frame(), textures[-1].frame()
+    if values.put(wanted, scene, frame_start=begin, frame_end=end):
+        scene.frame_set(begin)
     for name, part in parts.items():
-        scene.timeline_markers.new(name, frame=round(first + part * (last - first)))
+        scene.timeline_markers.new(name, frame=round(begin + part * (end - begin)))
     rate = textures[0].header.get("framesPerSecond")
     if rate:
         fps = max(1, round(rate))
@@ -114,5 +114,4 @@ def set_exposure(scene, textures, lights):
         stops = exposure(texture, lux)
         if stops is not None:
             scene.view_settings.exposure = stops
-        if len(textures) > 1:
-            scene.keyframe_insert(path, frame=texture.frame())
+        key(scene, texture, path)

@@ -4,6 +4,7 @@ import math
 
 import bpy
 
+from .nodes import add, emptied, first, show
 from .texture import COLOUR_SPACES
 from .wrong import Wrong
 
@@ -25,10 +26,9 @@ def first_known(owner, setting, names):
     raise Wrong(f"{setting}: the OpenColorIO configuration has none of {', '.join(names)}")
 
 
-def set_colours(texture):
+def set_colours(image, texture):
     """Sets the colour space of an image to that of the texture."""
-    return lambda image: first_known(image.colorspace_settings, "name",
-                                     COLOUR_SPACES[texture.colour_space])
+    first_known(image.colorspace_settings, "name", COLOUR_SPACES[texture.colour_space])
 
 
 def new_mesh():
@@ -61,22 +61,12 @@ def keep_from_sampling(material):
 
 def new_material():
     material = bpy.data.materials.new("Moon")
-    if material.node_tree is None:  # before Blender 5
-        material.use_nodes = True
+    tree = emptied(material)
     keep_from_sampling(material)
-    nodes, links = material.node_tree.nodes, material.node_tree.links
-    nodes.clear()
-    texels = nodes.new("ShaderNodeTexImage")
-    texels.location = (-300, 0)
-    texels.extension = "REPEAT"
-    texels.interpolation = "Linear"
-    emission = nodes.new("ShaderNodeEmission")
-    emission.inputs["Color"].default_value = (0, 0, 0, 1)
-    emission.inputs["Strength"].default_value = 1
-    output = nodes.new("ShaderNodeOutputMaterial")
-    output.location = (200, 0)
-    links.new(texels.outputs["Color"], emission.inputs["Color"])
-    links.new(emission.outputs["Emission"], output.inputs["Surface"])
+    texels = add(tree, "TexImage", at=(-300, 0), extension="REPEAT", interpolation="Linear")
+    emission = add(tree, "Emission", {"Color": (0, 0, 0, 1), "Strength": 1})
+    tree.links.new(texels.outputs["Color"], emission.inputs["Color"])
+    add(tree, "OutputMaterial", {"Surface": emission.outputs["Emission"]}, (200, 0))
     return material
 
 
@@ -90,41 +80,34 @@ def new_moon(scene):
 
 def texture_node(moon):
     """Node of the Moon's texture."""
-    for slot in moon.material_slots:
-        if slot.material and slot.material.node_tree:
-            for node in slot.material.node_tree.nodes:
-                if node.type == "TEX_IMAGE":
-                    return node
-    raise Wrong(f"{moon.name}: has no material with an image texture")
+    trees = [slot.material.node_tree for slot in moon.material_slots if slot.material]
+    node = next(filter(None, (first(tree, "TEX_IMAGE") for tree in trees if tree)), None)
+    if not node:
+        raise Wrong(f"{moon.name}: has no material with an image texture")
+    return node
+
+
+def loaded(path, texture, name):
+    """New image, in the colours of a texture."""
+    image = bpy.data.images.load(path)
+    if min(image.size) == 0:
+        bpy.data.images.remove(image)
+        raise Wrong(f"{path}: Blender cannot read its texels")
+    set_colours(image, texture)
+    if bpy.data.filepath:
+        image.filepath = bpy.path.relpath(path)
+    image.name = name
+    return image
 
 
 def image_of(texture):
     """New image of a texture, named by its moment."""
-    image = bpy.data.images.load(texture.path)
-    if min(image.size) == 0:
-        bpy.data.images.remove(image)
-        raise Wrong(f"{texture.path}: Blender cannot read its texels")
-    set_colours(texture)(image)
-    if bpy.data.filepath:
-        image.filepath = bpy.path.relpath(texture.path)
-    image.name = f"Moon {texture.moment()}".strip()
-    return image
+    return loaded(texture.path, texture, f"Moon {texture.moment()}".strip())
 
 
 def put_textures(moon, textures):
     """Has the Moon shine by these textures, in a film by one in each frame."""
-    node = texture_node(moon)
-    first = textures[0]
-    image = image_of(first)
+    node, image = texture_node(moon), image_of(textures[0])
     if len(textures) > 1:
         image.name += " film"
-    before, node.image = node.image, image
-    if before and before.users == 0:
-        bpy.data.images.remove(before)
-    if len(textures) > 1:
-        image.source = "SEQUENCE"
-        user = node.image_user
-        user.frame_start = first.frame()
-        user.frame_offset = first.number() - 1
-        user.frame_duration = len(textures)
-        user.use_auto_refresh = True
+    show(node, image, textures)

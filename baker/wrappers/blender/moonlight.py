@@ -5,16 +5,18 @@ import math
 import bpy
 import numpy
 
+from .moon import set_colours
 from .observer import axes_of, turn
+from .texture import key
 
 ROWS = 128  # of the texture, shrunk; to 0.2 % of its light
 
 
-def shrunk(path, set_colours):
+def shrunk(texture):
     """Texels of a texture, [row × column][RGB] from the south up, scene-linear."""
-    image = bpy.data.images.load(path)
+    image = bpy.data.images.load(texture.path)
     try:
-        set_colours(image)
+        set_colours(image, texture)
         image.scale(2 * ROWS, ROWS)
         texels = numpy.empty(4 * 2 * ROWS * ROWS, dtype=numpy.float32)
         image.pixels.foreach_get(texels)
@@ -99,8 +101,5 @@ def place_lamp(lamp, textures, lights):
         data.energy = bright
         data.color = [value / bright for value in lux] if bright > 0 else (1, 1, 1)
         data.angle = 2 * math.asin(1 / texture.distance)
-        if len(textures) > 1:
-            frame = texture.frame()
-            lamp.keyframe_insert("rotation_quaternion", frame=frame)
-            for path in ("energy", "color", "angle"):
-                data.keyframe_insert(path, frame=frame)
+        key(lamp, texture, "rotation_quaternion")
+        key(data, texture, "energy", "color", "angle")

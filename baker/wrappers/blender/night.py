@@ -6,6 +6,7 @@ import os
 import bpy
 
 from . import moon, program, values
+from .nodes import add, emptied, first, show
 
 WIDTH = 1024  # of the sky [texels]; stars are a mesh of their own
 
@@ -26,9 +27,9 @@ def domes(wanted, textures):
         file = file_beside(texture, len(textures) > 1)
         os.makedirs(os.path.dirname(file), exist_ok=True)
         if not os.path.exists(file):
-            words = ["dome", f"--instant={texture.moment().replace(' ', 'T')}Z", *light, "--stars=off",
+            words = ["dome", f"--instant={texture.instant()}", *light, "--stars=off",
                      f"--width={WIDTH}", f"--output={file}"]
-            for _ in program.run(words, lambda line: None):
+            for _ in program.run(words):
                 yield "night sky", len(files) / len(textures)
         files.append(file)
     return files
@@ -36,48 +37,37 @@ def domes(wanted, textures):
 
 def sky_texels(tree, place, scale):
     """Node of the sky's texels in a tree; `place`, a socket, times `scale` is the direction that is looked at."""
-    nodes, links = tree.nodes, tree.links
-    turned, texels = nodes.new("ShaderNodeMapping"), nodes.new("ShaderNodeTexEnvironment")
-    turned.inputs["Rotation"].default_value = (0, 0, -math.pi / 2)  # the image's middle, +X, is north
-    turned.inputs["Scale"].default_value = (scale, scale, scale)
-    # half a texel up: the lowest row of the sky reaches down to the horizon, without a dark edge of the ground's
-    turned.inputs["Location"].default_value = (0, 0, math.pi / WIDTH)
-    turned.location, texels.location = (-300, -400), (0, -400)
-    links.new(place, turned.inputs["Vector"])
-    links.new(turned.outputs["Vector"], texels.inputs["Vector"])
-    return texels
+    turned = add(tree, "Mapping", {
+        "Vector": place,
+        "Rotation": (0, 0, -math.pi / 2),  # the image's middle, +X, is north
+        "Scale": (scale, scale, scale),
+        # half a texel up: the lowest row of the sky reaches down to the horizon, without a dark edge of the ground's
+        "Location": (0, 0, math.pi / WIDTH)}, (-300, -400))
+    return add(tree, "TexEnvironment", {"Vector": turned.outputs["Vector"]}, (0, -400))
 
 
 def new_world():
     world = bpy.data.worlds.new("Night Sky")
-    if world.node_tree is None:  # before Blender 5
-        world.use_nodes = True
-    nodes, links = world.node_tree.nodes, world.node_tree.links
-    nodes.clear()
-    place, light, output = [nodes.new(f"ShaderNode{kind}") for kind in ("TexCoord", "Background", "OutputWorld")]
-    for k, node in enumerate((place, light, output)):
-        node.location = (300 * (2 * k - 3), 0)
-    texels = sky_texels(world.node_tree, place.outputs["Generated"], 1)
-    links.new(texels.outputs["Color"], light.inputs["Color"])
-    links.new(light.outputs["Background"], output.inputs["Surface"])
+    tree = emptied(world)
+    place = add(tree, "TexCoord", at=(-900, 0))
+    texels = sky_texels(tree, place.outputs["Generated"], 1)
+    light = add(tree, "Background", {"Color": texels.outputs["Color"]}, (-300, 0))
+    add(tree, "OutputWorld", {"Surface": light.outputs["Background"]}, (300, 0))
     return world
 
 
 def texels_before(material):
     """Node of the sky's texels in the Moon's material: the air before the Moon shines as that beside it."""
     tree = material.node_tree
-    known = next((node for node in tree.nodes if node.type == "TEX_ENVIRONMENT"), None)
-    if known:
+    if known := first(tree, "TEX_ENVIRONMENT"):
         return known
-    output = next(node for node in tree.nodes if node.type == "OUTPUT_MATERIAL")
-    of_moon = output.inputs["Surface"].links[0].from_socket
-    view, air, both = [tree.nodes.new(f"ShaderNode{kind}") for kind in ("NewGeometry", "Emission", "AddShader")]
+    output = first(tree, "OUTPUT_MATERIAL")
+    view = add(tree, "NewGeometry", at=(-600, -400))
     texels = sky_texels(tree, view.outputs["Incoming"], -1)
-    view.location, air.location, both.location, output.location = (-600, -400), (300, -400), (500, 0), (700, 0)
-    tree.links.new(texels.outputs["Color"], air.inputs["Color"])
-    tree.links.new(of_moon, both.inputs[0])
-    tree.links.new(air.outputs["Emission"], both.inputs[1])
+    air = add(tree, "Emission", {"Color": texels.outputs["Color"]}, (300, -400))
+    both = add(tree, "AddShader", {0: output.inputs["Surface"].links[0].from_socket, 1: air.outputs["Emission"]}, (500, 0))
     tree.links.new(both.outputs["Shader"], output.inputs["Surface"])
+    output.location = (700, 0)
     return texels
 
 
@@ -90,21 +80,6 @@ def put_world(of_moon, textures, files):
         if scene.world:
             scene.world.use_fake_user = True
         scene.world = wanted.world
-    image = bpy.data.images.load(files[0])
-    moon.set_colours(textures[0])(image)
-    if bpy.data.filepath:
-        image.filepath = bpy.path.relpath(files[0])
-    image.name = "Night sky"
-    if len(files) > 1:
-        image.source = "SEQUENCE"
-    around = next(node for node in wanted.world.node_tree.nodes if node.type == "TEX_ENVIRONMENT")
-    for node in (around, texels_before(of_moon.material_slots[0].material)):
-        before, node.image = node.image, image
-        if before and before.users == 0:
-            bpy.data.images.remove(before)
-        if len(files) > 1:
-            user = node.image_user
-            user.frame_start = textures[0].frame()
-            user.frame_offset = textures[0].number() - 1
-            user.frame_duration = len(files)
-            user.use_auto_refresh = True
+    image = moon.loaded(files[0], textures[0], "Night sky")
+    for node in (first(wanted.world.node_tree, "TEX_ENVIRONMENT"), texels_before(of_moon.material_slots[0].material)):
+        show(node, image, textures)

@@ -7,6 +7,7 @@ import bpy
 from mathutils import Matrix, Vector
 
 from . import values
+from .texture import key
 
 
 def axes_of(texture, up):
@@ -61,6 +62,4 @@ def place_camera(camera, textures, wanted, render):
         axes = axes_of(texture, wanted.up)
         camera.location = texture.distance * axes[2]
         turn(camera, axes)
-        if len(textures) > 1:
-            for path in ("location", "rotation_quaternion"):
-                camera.keyframe_insert(path, frame=texture.frame())
+        key(camera, texture, "location", "rotation_quaternion")

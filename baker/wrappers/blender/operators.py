@@ -52,6 +52,17 @@ def redraw(context):
                 area.tag_redraw()
 
 
+def reported(execute):
+    """Has what is wrong reported: a method `execute` of an operator is cancelled by it."""
+    def execute_or_cancel(self, context):
+        try:
+            return execute(self, context) or {"FINISHED"}
+        except Wrong as wrong:
+            self.report({"ERROR"}, str(wrong))
+            return {"CANCELLED"}
+    return execute_or_cancel
+
+
 class BakeEclipse(bpy.types.Operator):
     """Bakes the textures of the active Moon from its values, and builds its light and its camera anew"""
     bl_idname = "coppermoon.bake"
@@ -63,14 +74,10 @@ class BakeEclipse(bpy.types.Operator):
         moon = context.active_object
         return bool(moon and moon.coppermoon.is_moon and moon.coppermoon.date and not Running.now)
 
+    @reported
     def execute(self, context):
         moon = context.active_object
-        try:
-            baking.show(moon, result(baking.bake(values.plain(moon.coppermoon))))
-        except Wrong as wrong:
-            self.report({"ERROR"}, str(wrong))
-            return {"CANCELLED"}
-        return {"FINISHED"}
+        baking.show(moon, result(baking.bake(values.plain(moon.coppermoon))))
 
     def invoke(self, context, event):
         if bpy.app.background:
@@ -202,20 +209,16 @@ class AddEclipse(values.Values, bpy.types.Operator):
         draw_values(self.layout, self)
         self.layout.prop(self, "own_scene")
 
+    @reported
     def execute(self, context):
-        try:
-            values.require_sound(self)
-            baked = result(baking.bake(values.plain(self))) if bpy.app.background else None
-            moon = baking.new_eclipse(context, self.own_scene, bool(self.place.strip()))
-            values.copy(self, moon.coppermoon)
-            if baked:
-                baking.show(moon, baked)
-            else:
-                bpy.ops.coppermoon.bake("INVOKE_DEFAULT")
-        except Wrong as wrong:
-            self.report({"ERROR"}, str(wrong))
-            return {"CANCELLED"}
-        return {"FINISHED"}
+        values.require_sound(self)
+        baked = result(baking.bake(values.plain(self))) if bpy.app.background else None
+        moon = baking.new_eclipse(context, self.own_scene, bool(self.place.strip()))
+        values.copy(self, moon.coppermoon)
+        if baked:
+            baking.show(moon, baked)
+        else:
+            bpy.ops.coppermoon.bake("INVOKE_DEFAULT")
 
 
 class ImportEclipse(bpy.types.Operator, ImportHelper):
@@ -232,28 +235,13 @@ class ImportEclipse(bpy.types.Operator, ImportHelper):
     up: values.Values.__annotations__["up"]
     field: values.Values.__annotations__["field"]
 
+    @reported
     def execute(self, context):
-        path = os.path.dirname(self.filepath) if self.film else self.filepath
-        try:
-            baked = baking.Baked(textures_of(path))
-            moon = baking.new_eclipse(context, self.own_scene)
-            wanted = moon.coppermoon
-            wanted.date, wanted.up, wanted.field = "", self.up, self.field
-            baking.show(moon, baked)
-        except Wrong as wrong:
-            self.report({"ERROR"}, str(wrong))
-            return {"CANCELLED"}
-        return {"FINISHED"}
+        baked = baking.Baked(textures_of(os.path.dirname(self.filepath) if self.film else self.filepath))
+        moon = baking.new_eclipse(context, self.own_scene)
+        wanted = moon.coppermoon
+        wanted.date, wanted.up, wanted.field = "", self.up, self.field
+        baking.show(moon, baked)
 
 
-CLASSES = (BakeEclipse, StopBaking, AddEclipse, ImportEclipse)
-
-
-def register():
-    for one in CLASSES:
-        bpy.utils.register_class(one)
-
-
-def unregister():
-    for one in reversed(CLASSES):
-        bpy.utils.unregister_class(one)
+register, unregister = bpy.utils.register_classes_factory((BakeEclipse, StopBaking, AddEclipse, ImportEclipse))

@@ -8,36 +8,25 @@ from . import operators, saving, values
 def draw_values(layout, of):
     layout.use_property_split = True
     layout.use_property_decorate = False
-    column = layout.column()
-    column.prop(of, "date")
-    column.prop(of, "film")
+
+    def column(*names, active=True, **how):
+        part = layout.column()
+        part.active = active
+        for name in names:
+            part.prop(of, name, **how)
+
+    column("date", "film")
     if of.film:
-        column.prop(of, "frames")
-        column.prop(of, "begin")
-        column.prop(of, "end")
-        column.prop(of, "start_frame")
-        column.prop(of, "shader")
+        column("frames", "begin", "end", "start_frame", "shader")
     else:
-        moment = column.column()
-        moment.active = values.is_day(of)
-        moment.prop(of, "contact")
-        moment.prop(of, "offset")
-    column = layout.column()
-    column.prop(of, "place")
-    night = column.column()
-    night.active = values.has_sky(of)
-    night.prop(of, "night")
-    column.prop(of, "air")
-    column.prop(of, "by_danjon")
+        column("contact", "offset", active=values.is_day(of))
+    column("place")
+    column("night", active=values.has_sky(of))
+    column("air", "by_danjon")
     if of.by_danjon:
-        column.prop(of, "danjon", slider=True)
-    column = layout.column()
-    column.prop(of, "quality")
-    column.prop(of, "texture_width")
-    column.prop(of, "space")
-    column = layout.column()
-    column.prop(of, "up")
-    column.prop(of, "field")
+        column("danjon", slider=True)
+    column("quality", "texture_width", "space")
+    column("up", "field")
 
 
 class EclipsePanel(bpy.types.Panel):

@@ -59,9 +59,4 @@ def cache_folder():
     return os.path.join(cache if os.path.isabs(cache) else os.path.expanduser("~/.cache"), "coppermoon")
 
 
-def register():
-    bpy.utils.register_class(CoppermoonPreferences)
-
-
-def unregister():
-    bpy.utils.unregister_class(CoppermoonPreferences)
+register, unregister = bpy.utils.register_classes_factory((CoppermoonPreferences,))

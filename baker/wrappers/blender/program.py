@@ -33,12 +33,11 @@ class Stream:
         return [line for line in (ESCAPES.sub("", line).strip() for line in whole) if line]
 
 
-def run(words, take):
-    """Runs the program, step by step: yields (what, part done) several times a second of the caller's.
+def run(words, take=lambda line: None):
+    """Runs the program, step by step: yields (what, part done) several times a second of the caller's, and returns the
+    lines of stdout. Closing the generator ends the program.
 
-    Closing the generator ends the program.
-
-    Given   take  called with each line of stdout
+    Given   take  called with each line as it comes
     Throws  Wrong  with the program's last word, where it fails
     """
     path = preferences.program()
@@ -52,7 +51,7 @@ def run(words, take):
     finally:
         os.close(theirs)
     out, errors = Stream(process.stdout.fileno()), Stream(ours)
-    progress, said = ("start", 0.0), ""
+    progress, said, lines = ("start", 0.0), "", []
     try:
         while True:
             ended = process.poll() is not None
@@ -60,6 +59,7 @@ def run(words, take):
             errors.read()
             for line in out.lines():
                 take(line)
+                lines.append(line)
             bars = BAR.findall(errors.text)
             if bars:
                 progress = (bars[-1][0], int(bars[-1][1]) / 100)
@@ -77,3 +77,4 @@ def run(words, take):
         os.close(ours)
     if process.returncode != 0:
         raise Wrong(said or f"{path}: ended with status {process.returncode}")
+    return lines

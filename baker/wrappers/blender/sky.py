@@ -7,8 +7,9 @@ import bpy
 from mathutils import Matrix, Quaternion, Vector
 
 from . import program, values
-from .observer import axes_of
-from .texture import MOON_RADIUS_KM
+from .nodes import add, emptied
+from .observer import axes_of, turn
+from .texture import MOON_RADIUS_KM, key
 
 NEARER = 1000  # by this the Moon is nearer and smaller than it was: 380 km off, with a radius of 1.7 km
 BEYOND = 1.2  # distance of the stars, over the Moon's
@@ -23,21 +24,14 @@ def direction(place):
     return Vector((math.cos(altitude) * math.sin(azimuth), math.cos(altitude) * math.cos(azimuth), math.sin(altitude)))
 
 
-def seen_from(place, texture, faintest):
-    """Yields as `program.run`; returns the program's account of the sky at the texture's moment."""
-    lines = []
-    yield from program.run(["sky", f"--instant={texture.moment().replace(' ', 'T')}Z", f"--at={place}", "--json",
-                            f"--stars={faintest}"], lines.append)
-    return json.loads("".join(lines))
-
-
 def skies(wanted, textures):
-    """Yields as `program.run`; returns a sky for each texture, the first with its stars."""
-    all_of_them = []
+    """Yields as `program.run`; returns the program's account of the sky for each texture, the first with its stars."""
+    accounts = []
     for texture in textures:
-        faintest = NONE if all_of_them else NAKED_EYE
-        all_of_them.append((yield from seen_from(wanted.place.strip(), texture, faintest)))
-    return all_of_them
+        lines = yield from program.run(["sky", f"--instant={texture.instant()}", f"--at={wanted.place.strip()}",
+                                        "--json", f"--stars={NONE if accounts else NAKED_EYE}"])
+        accounts.append(json.loads("".join(lines)))
+    return accounts
 
 
 def scale(scene):
@@ -54,27 +48,18 @@ def hang_moon(moon, scene, textures, skies_seen):
         moon.location = scale(scene) * texture.distance * to_moon
         right = to_moon.cross(Vector((0, 0, 1))).normalized()
         seen = Matrix((right, right.cross(to_moon), -to_moon)).transposed()
-        turned = (seen @ Matrix(axes_of(texture, "zenith"))).to_quaternion()
-        turned.make_compatible(moon.rotation_quaternion)
-        moon.rotation_quaternion = turned
-        if len(textures) > 1:
-            for path in ("location", "rotation_quaternion"):
-                moon.keyframe_insert(path, frame=texture.frame())
+        turn(moon, (seen @ Matrix(axes_of(texture, "zenith"))).transposed())
+        key(moon, texture, "location", "rotation_quaternion")
 
 
 def star_material():
     """Light that adds to that of the sky behind."""
     material = bpy.data.materials.new("Stars")
-    material.use_nodes = True
-    nodes, links = material.node_tree.nodes, material.node_tree.links
-    nodes.clear()
-    light, emission, clear, both, output = [nodes.new(f"ShaderNode{kind}") for kind in (
-        "Attribute", "Emission", "BsdfTransparent", "AddShader", "OutputMaterial")]
-    light.attribute_name = "Light"
-    links.new(light.outputs["Color"], emission.inputs["Color"])
-    links.new(emission.outputs[0], both.inputs[0])
-    links.new(clear.outputs[0], both.inputs[1])
-    links.new(both.outputs[0], output.inputs["Surface"])
+    tree = emptied(material)
+    light = add(tree, "Attribute", attribute_name="Light")
+    emission = add(tree, "Emission", {"Color": light.outputs["Color"]})
+    both = add(tree, "AddShader", {0: emission.outputs[0], 1: add(tree, "BsdfTransparent").outputs[0]})
+    add(tree, "OutputMaterial", {"Surface": both.outputs[0]})
     return material
 
 
@@ -112,10 +97,10 @@ def hang_stars(stars, scene, textures, skies_seen):
     bpy.data.meshes.remove(old)
     latitude = math.radians(skies_seen[0]["observer_latitude_deg"])
     pole = Vector((0, math.cos(latitude), math.sin(latitude)))
-    for texture in textures if len(textures) > 1 else ():
-        turn = math.tau * 1.0027379 * ((texture.second() - textures[0].second()) % 86400) / 86400
-        stars.rotation_quaternion = Quaternion(pole, -turn)
-        stars.keyframe_insert("rotation_quaternion", frame=texture.frame())
+    for texture in textures:
+        angle = math.tau * 1.0027379 * ((texture.second() - textures[0].second()) % 86400) / 86400
+        stars.rotation_quaternion = Quaternion(pole, -angle)
+        key(stars, texture, "rotation_quaternion")
 
 
 def new_stars(scene):

@@ -73,7 +73,7 @@ class Texture:
         self.distance = self.attribute("distance_km") / MOON_RADIUS_KM
         if not self.distance > 1:
             raise Wrong(f"{path}: coppermoon:distance_km is within the Moon")
-        self.frames_later = 0
+        self.frames_later, self.of_film = 0, False
 
     def attribute(self, name):
         value = self.header.get("coppermoon:" + name)
@@ -89,6 +89,10 @@ class Texture:
         """Its moment in UTC, as 2018-07-27 20:21:45; empty where the header has none."""
         return self.header.get("capDate", "").replace(":", "-", 2)
 
+    def instant(self):
+        """Its moment as the program reads it, as 2018-07-27T20:21:45Z."""
+        return self.moment().replace(" ", "T") + "Z"
+
     def second(self):
         """Time of day of its moment [s]."""
         return second_of_day(self.header.get("capDate", ""))
@@ -99,6 +103,12 @@ class Texture:
         if not number:
             raise Wrong(f"{self.path}: its name has no frame number, as .0001.exr")
         return int(number[1])
+
+
+def key(owner, texture, *paths):
+    """Keys properties in the frame of a film's texture."""
+    for path in paths if texture.of_film else ():
+        owner.keyframe_insert(path, frame=texture.frame())
 
 
 def second_of_day(text):
@@ -130,6 +140,7 @@ def textures_of(path):
     textures.sort(key=Texture.number)
     first = textures[0]
     for number, texture in enumerate(textures, first.number()):
+        texture.of_film = True
         if texture.number() != number:
             raise Wrong(f"{texture.path}: frame {texture.number()}, where {number} should follow")
         if stem_of(texture.path) != stem_of(first.path):
