@@ -10,7 +10,7 @@
 
 #include "algebra/error.h"
 #include "end_to_end/made_night.h"
-#include "end_to_end/program.h"
+#include "support/program.h"
 
 namespace coppermoon::end_to_end {
 namespace {

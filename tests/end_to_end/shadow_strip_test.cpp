@@ -24,23 +24,23 @@ struct Misses {
 
 class ShadowStrip : public ShaderTest {
  protected:
-  Strip strip(std::vector<std::string> flags, const char* name = "strip.exr") const {
-    flags.insert(flags.begin(), "shadow");
+  Strip strip(Words flags, const char* name = "strip.exr") const {
+    flags = Words{"shadow"} + flags;
     flags.insert(flags.end(), {"--lookup", name});
     expect_done(coppermoon(flags));
     return {texture::read_image(here(name)),
             json::parse(text_of(here(name).replace_extension(".json")))};
   }
 
-  texture::Image baked(std::vector<std::string> flags, const char* name) const {
-    flags.insert(flags.begin(), "bake");
+  texture::Image baked(Words flags, const char* name) const {
+    flags = Words{"bake"} + flags;
     flags.insert(flags.end(), {"--type", "float", "--texture-width", "512", "--albedo-map",
                                "built-in", "--quality", "reference", "-o", name});
     expect_done(coppermoon(flags));
     return texture::read_image(here(name));
   }
 
-  Misses misses(const std::vector<std::string>& flags) const {
+  Misses misses(const Words& flags) const {
     auto sunlit = flags;
     sunlit.push_back("--unshadowed");
     const auto light = strip(flags);
@@ -218,7 +218,7 @@ TEST_F(ShadowStrip, ItsHeaderMakesItAgain) {
 }
 
 TEST_F(ShadowStrip, SaysWhatItCannotWrite) {
-  const auto refused = [&](std::vector<std::string> words, const char* why) {
+  const auto refused = [&](Words words, const char* why) {
     words.insert(words.begin(), {"shadow", "2008-02-21T03:26:05Z"});
     const auto outcome = coppermoon(words);
     EXPECT_NE(outcome.status, 0);
