@@ -121,10 +121,11 @@ class PhotographsTest : public ProgramTest {
  protected:
   /// A scene-linear frame by POV-Ray, of the true air.
   texture::Image frame_of(const Occasion& occasion, const Words& air) const {
-    const auto still = words_of("still {} --at {} -o a.png", occasion.instant, occasion.at()),
-               view{"--width", "440", "--height", "440", "--field", "0.75", "--time", "1"},
-               moon{"--albedo-map", "built-in", "--texture-width", "1024", "--stars", "off"};
-    const auto outcome = coppermoon(still + view + moon + "--frame frame.exr" + air);
+    const auto still = words_of(
+        "still {} --at {} -o a.png --width 440 --height 440 --field 0.75 --time 1 --albedo-map "
+        "built-in --texture-width 1024 --stars off --frame frame.exr",
+        occasion.instant, occasion.at());
+    const auto outcome = coppermoon(still + air);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return texture::read_image(here("frame.exr"));
   }
