@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "end_to_end/program.h"
 #include "povray_scenes/mitsuba.h"
 #include "povray_scenes/render.h"
+#include "support/program.h"
 #include "support/within.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
@@ -13,12 +13,13 @@
 namespace coppermoon::hand_off {
 namespace {
 
-class Mitsuba : public end_to_end::ProgramTest {
+class Mitsuba : public ProgramTest {
  protected:
   texture::Image rendered_in(const std::string& folder) const {
-    const auto outcome = run({COPPERMOON_HAND_OFF_PYTHON "/bin/mitsuba", "-m", "scalar_rgb", "-o",
-                              "frame.exr", povray_scenes::mitsuba_file},
-                             {.folder = here(folder)});
+    const auto outcome =
+        run(words_of("{} -m scalar_rgb -o frame.exr {}", COPPERMOON_HAND_OFF_PYTHON "/bin/mitsuba",
+                     povray_scenes::mitsuba_file),
+            {.folder = here(folder)});
     EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
     return texture::read_image(here(folder) / "frame.exr");
   }
@@ -55,17 +56,17 @@ void expect_one_picture(const texture::Image& theirs, const texture::Image& ours
   }
 }
 
-class MitsubaSees : public Mitsuba, public testing::WithParamInterface<std::vector<std::string>> {};
+class MitsubaSees : public Mitsuba, public testing::WithParamInterface<Words> {};
 
 TEST_P(MitsubaSees, ThePictureThatPovRaySees) {
-  std::vector<std::string> scene{
-      "scene",    "--albedo-map", "built-in", "--atmosphere", "undated",         "--width", "240",
-      "--height", "160",          "--up",     "zenith",       "--texture-width", "1024"};
+  Words scene{"scene", "--albedo-map", "built-in", "--atmosphere", "undated", "--width",
+              "240",   "--height",     "160",      "--up",         "zenith",  "--texture-width",
+              "1024"};
   scene.insert(scene.begin() + 1, GetParam().begin(), GetParam().end());
   const auto write = [&](const std::string& renderer) {
     auto words = scene;
-    words.insert(words.end(), {"--for", renderer, "-o", renderer});
-    end_to_end::expect_done(coppermoon(words));
+    words += Words{"--for", renderer, "-o", renderer};
+    expect_done(coppermoon(words));
   };
   write("povray");
   write("mitsuba");
@@ -75,10 +76,9 @@ TEST_P(MitsubaSees, ThePictureThatPovRaySees) {
 
 // high in the sky, before the middle; low, flattened by a twelfth
 INSTANTIATE_TEST_SUITE_P(AtPlaces, MitsubaSees,
-                         testing::Values(std::vector<std::string>{"2018-07-27T19:35:00Z", "--at",
-                                                                  "Nairobi", "--field", "0.7"},
-                                         std::vector<std::string>{"2018-07-27T20:21:45Z", "--at",
-                                                                  "52.9,-3.9"}));
+                         testing::Values(Words{"2018-07-27T19:35:00Z", "--at", "Nairobi", "--field",
+                                               "0.7"},
+                                         Words{"2018-07-27T20:21:45Z", "--at", "52.9,-3.9"}));
 
 }  // namespace
 }  // namespace coppermoon::hand_off

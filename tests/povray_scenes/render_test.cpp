@@ -20,6 +20,7 @@
 #include "povray_scenes/pictures.h"
 #include "povray_scenes/scene.h"
 #include "support/left_behind.h"
+#include "support/refusals.h"
 #include "support/within.h"
 
 namespace coppermoon::povray_scenes {
@@ -284,12 +285,7 @@ struct SmallScene {
 };
 
 std::string refusal(const SmallScene& scene, const RenderSettings& settings = {}) {
-  try {
-    render(scene.folder, settings);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
+  return refusal_of([&] { render(scene.folder, settings); });
 }
 
 TEST(Render, GivesTheFrameAndLeavesNothingElse) {

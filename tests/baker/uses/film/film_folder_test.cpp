@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "uses/film/film_folder.h"
+#include "support/refusals.h"
 
 #include <unistd.h>
 
@@ -56,14 +57,10 @@ TEST_F(FolderOfAFilm, IsOneFilms) {
   EXPECT_NO_THROW(require_own(film_, false));
   write(film_.picture(1), 1, foreign_);
   EXPECT_FALSE(is_made(film_, 1));
-  try {
-    require_own(film_, false);
-    ADD_FAILURE() << "was not refused";
-  } catch (const algebra::Error& error) {
-    EXPECT_EQ(error.what(), film_.folder.string() +
-                                ": holds a film made with iso = 100, asked 800 (frame.0001.png), "
-                                "allowed another folder, or sleep");
-  }
+  EXPECT_EQ(refusal_of([&] { require_own(film_, false); }),
+            film_.folder.string() +
+                ": holds a film made with iso = 100, asked 800 (frame.0001.png), "
+                "allowed another folder, or sleep");
 }
 
 TEST_F(FolderOfAFilm, IsOneFilmsForAsLongAsItIsMade) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "uses/film/film_light.h"
+#include "support/refusals.h"
 
 #include <algorithm>
 #include <array>
@@ -132,14 +133,10 @@ TEST_F(WholeFilm, OfOtherSettingsIsRefusedInTheRecordsWords) {
   auto other = film(coarse);
   other.record.recipe = of_photons("ozone = 200\n");
   other.record.way_out = ", or leave it";
-  try {
-    film_light(other);
-    ADD_FAILURE() << "was not refused";
-  } catch (const algebra::Error& error) {
-    EXPECT_EQ(error.what(), folder_.string() +
-                                ": holds the light of a film made with ozone = 300, "
-                                "asked 200 (eclipse.light), allowed another folder, or leave it");
-  }
+  EXPECT_EQ(refusal_of([&] { film_light(other); }),
+            folder_.string() +
+                ": holds the light of a film made with ozone = 300, "
+                "asked 200 (eclipse.light), allowed another folder, or leave it");
 }
 
 TEST_F(WholeFilm, OfNoNumberOfPhotonsIsTracedInNoShards) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "uses/light/light_parameters.h"
+#include "support/refusals.h"
 
 #include <fmt/format.h>
 
@@ -17,16 +18,6 @@ namespace {
 Effort toleranced(const char* text) { return {.tolerance = text}; }
 Effort budgeted(const char* text) { return {.budget = text}; }
 
-template <typename Function>
-std::string error_of(const Function& function) {
-  try {
-    function();
-  } catch (const algebra::Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 constexpr const char* rounding = "a decimal times a hundredth or a thousandth";
 
 TEST(WishOf, ReadsATolerancePerHundred) {
@@ -39,7 +30,7 @@ TEST(WishOf, ReadsATolerancePerHundred) {
 TEST(WishOf, RefusesATolerancePerHundredOutOfRange) {
   for (const char* text : {"60%", "0.009%", "-1%"})
     EXPECT_EQ(
-        error_of([&] { wish_of(toleranced(text)); }),
+        refusal_of([&] { wish_of(toleranced(text)); }),
         "tolerance [%] = " + std::string(text, std::strlen(text) - 1) + ", allowed 0.01 to 50");
 }
 
@@ -47,7 +38,7 @@ TEST(WishOf, RefusesAToleranceWithAQualityThatSaysAnother) {
   for (const char* quality : {"draft", "reference", "paper"}) {
     auto options = toleranced("0.1%");
     options.quality = quality;
-    EXPECT_EQ(error_of([&] { wish_of(options); }),
+    EXPECT_EQ(refusal_of([&] { wish_of(options); }),
               "tolerance = 0.1%, allowed with quality standard, not " + std::string(quality));
   }
 }
@@ -60,11 +51,11 @@ TEST(WishOf, ReadsABudgetInSecondsUnlessItSaysOtherwise) {
 
 TEST(WishOf, RefusesOtherWordsInOneLineThatNamesThem) {
   for (const char* text : {"", "%", "fine", "0.1", "1 percent", "1%%", "one%", "1s"}) {
-    const auto error = error_of([&] { wish_of(toleranced(text)); });
+    const auto error = refusal_of([&] { wish_of(toleranced(text)); });
     EXPECT_EQ(error, "tolerance = " + std::string(text) + ", allowed a percentage as 0.1%");
   }
   for (const char* text : {"", "s", "soon", "2h", "1%", "2 s s", "ms"}) {
-    const auto error = error_of([&] { wish_of(budgeted(text)); });
+    const auto error = refusal_of([&] { wish_of(budgeted(text)); });
     EXPECT_EQ(error, "budget = " + std::string(text) + ", allowed a time as 500ms, 2s or 1min");
   }
 }
@@ -124,7 +115,7 @@ TEST(Knobs, AreRefusedOutsideTheirRanges) {
           << knob.name << " " << outside;
   }
   EXPECT_EQ(ranges, 5);
-  const auto error = error_of([] { knobs({{"bands", "401"}}); });
+  const auto error = refusal_of([] { knobs({{"bands", "401"}}); });
   for (const char* part : {"bands", "401", "400"})
     EXPECT_NE(error.find(part), std::string::npos) << error;
 }
@@ -148,7 +139,7 @@ TEST(LeaveOut, OfNoneKeepsAllTermsWhateverTheirSize) {
 
 TEST(LeaveOut, RefusesOtherWordsAndSaysWhichThereAre) {
   for (const char* words : {"elipsoid", "ellipsoid,moon", "ellipsoid, regions", "none,regions"})
-    EXPECT_EQ(error_of([&] { without(words); }),
+    EXPECT_EQ(refusal_of([&] { without(words); }),
               "leave-out = " + std::string(words) +
                   ", allowed none or refracted-light, ellipsoid, regions, scattered-light, with "
                   "commas between");

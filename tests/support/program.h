@@ -2,29 +2,67 @@
 #pragma once
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
-namespace coppermoon::end_to_end {
+namespace coppermoon {
 
-using Words = std::vector<std::string>;
+/// Words of a command line. One text is parted at its blanks, as a shell does; '…' holds a word together.
+struct Words : std::vector<std::string> {
+  Words() = default;
+  Words(std::initializer_list<std::string> words) : vector(words) {}
+  Words(const_iterator first, const_iterator last) : vector(first, last) {}
+  Words(const char* line) {
+    std::istringstream text(line);
+    for (std::string word; text >> std::quoted(word, '\'');) push_back(word);
+  }
+};
 
-inline Words operator+(Words words, const Words& more) {
+inline Words& operator+=(Words& words, const Words& more) {
   words.insert(words.end(), more.begin(), more.end());
   return words;
 }
+
+inline Words operator+(Words words, const Words& more) { return words += more; }
+
+/// Words of a line whose {} stand for the parts: a part is never parted.
+template <class... Parts>
+Words words_of(const char* line, const Parts&... parts) {
+  Words all(line);
+  auto word = all.begin();
+  const auto fill = [&](const std::string& part) {
+    while (word->find("{}") == word->npos) ++word;
+    word->replace(word->find("{}"), 2, part);
+    if (word->find("{}") == word->npos) ++word;
+  };
+  const auto text = [](const auto& part) -> std::string {
+    if constexpr (std::is_convertible_v<decltype(part), std::string>)
+      return part;
+    else
+      return fmt::format("{}", part);
+  };
+  (fill(text(parts)), ...);
+  return all;
+}
+
+constexpr int could_not = 1, wrong_usage = 2;  ///< statuses of the program
 
 /// How a program ended and what it said.
 struct Outcome {
@@ -39,6 +77,7 @@ struct Surroundings {
   std::optional<rlim_t> file_limit = {};    ///< bytes that a file may have: the disk is full there
   std::optional<rlim_t> memory_limit = {};  ///< bytes of addresses that it may have
   std::optional<rlim_t> processor_limit = {};  ///< seconds of all its threads, then SIGXCPU ends it
+  unsigned seconds_limit = 600;                ///< of the clock, then SIGALRM ends it
   std::optional<double> killed_after_s = {};   ///< by kill -9, unless it has ended
   std::optional<std::filesystem::path> preloaded = {};  ///< a library that goes before all others
   std::optional<std::filesystem::path> folder = {};  ///< where it runs, instead of the test's own
@@ -57,6 +96,15 @@ inline std::string without_waiting(std::string said) {
 inline std::string text_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Every file in a folder, by its name there, and its bytes.
+inline std::map<std::string, std::string> contents(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> all;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    if (entry.is_regular_file())
+      all[entry.path().lexically_relative(folder).string()] = text_of(entry.path());
+  return all;
 }
 
 /// A folder of its own, gone afterwards; programs run in it, with their own temporary folder beside it.
@@ -79,6 +127,13 @@ class ProgramFolder {
     return here(name);
   }
 
+  /// A script of the shell, in the folder, that can be run.
+  std::filesystem::path script(std::string_view name, std::string_view text) const {
+    const auto path = file(name, "#!/bin/sh\n" + std::string(text) + "\n");
+    std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+    return path;
+  }
+
   /// All that stands in the folder and in the programs' temporary one.
   std::set<std::string> listing() const {
     std::set<std::string> names;
@@ -88,12 +143,12 @@ class ProgramFolder {
     return names;
   }
 
-  Outcome run(std::vector<std::string> words, const Surroundings& around = {}) const {
+  Outcome run(Words words, const Surroundings& around = {}) const {
     return ended(begun(std::move(words), around), around);
   }
 
   /// One that goes on in the background: see ended.
-  pid_t begun(std::vector<std::string> words, const Surroundings& around = {}) const {
+  pid_t begun(Words words, const Surroundings& around = {}) const {
     const pid_t child = ::fork();
     if (child == 0) become(words, around);
     return child;
@@ -112,7 +167,7 @@ class ProgramFolder {
             static_cast<double>(used.ru_maxrss) * 1024e-6};
   }
 
-  Outcome coppermoon(std::vector<std::string> words, const Surroundings& around = {}) const {
+  Outcome coppermoon(Words words, const Surroundings& around = {}) const {
     words.insert(words.begin(), COPPERMOON_PROGRAM);
     return run(std::move(words), around);
   }
@@ -123,12 +178,13 @@ class ProgramFolder {
     ::dup2(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666), descriptor);
   }
 
-  [[noreturn]] void become(std::vector<std::string>& words, const Surroundings& around) const {
+  [[noreturn]] void become(Words& words, const Surroundings& around) const {
     say_into("out", STDOUT_FILENO);
     say_into("err", STDERR_FILENO);
     ::setenv("TMPDIR", (home_ / "tmp").c_str(), 1);
     if (around.path) ::setenv("PATH", around.path->c_str(), 1);
     if (::chdir(around.folder.value_or(here()).c_str()) != 0) ::_exit(126);
+    ::alarm(around.seconds_limit);
     const rlimit limit{around.file_limit.value_or(RLIM_INFINITY), RLIM_INFINITY};
     ::setrlimit(RLIMIT_FSIZE, &limit);
     if (around.memory_limit) {
@@ -150,9 +206,6 @@ class ProgramFolder {
   std::filesystem::path home_;
 };
 
-/// A folder for each test.
-class ProgramTest : public testing::Test, protected ProgramFolder {};
-
 /// Standard error without the note on options of a Moon in shadow that stand beside --unshadowed: tests light one Moon
 /// with the Earth and without by the same options.
 inline std::string complaint_of(const Outcome& outcome) {
@@ -169,4 +222,46 @@ inline void expect_done(const Outcome& outcome) {
   EXPECT_EQ(complaint_of(outcome), "");
 }
 
-}  // namespace coppermoon::end_to_end
+/// A folder for each test.
+class ProgramTest : public testing::Test, protected ProgramFolder {
+ protected:
+  /// What the program, asked for --json, prints.
+  nlohmann::json json_of(const Words& words) const {
+    const auto outcome = coppermoon(words + "--json");
+    expect_done(outcome);
+    return nlohmann::json::parse(outcome.out, nullptr, false);
+  }
+
+  /// Expects one line with the parts in it, nothing printed, and no file written, changed or lost.
+  ///
+  /// Returned  the line
+  std::string expect_refused(const Words& words, std::initializer_list<std::string_view> parts,
+                             int status = could_not, const Surroundings& around = {}) const {
+    const auto before = contents(here());
+    const auto left = listing();
+    const auto outcome = coppermoon(words, around);
+    const auto said = complaint_of(outcome);
+    EXPECT_EQ(outcome.status, status) << said;
+    EXPECT_TRUE(said.starts_with("coppermoon: ")) << said;
+    EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
+    for (const auto part : parts)
+      EXPECT_NE(said.find(part), said.npos) << "no \"" << part << "\" in " << said;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(listing(), left);
+    EXPECT_TRUE(contents(here()) == before);
+    return said;
+  }
+
+  std::string expect_refused(const Words& words, std::string_view part, int status = could_not,
+                             const Surroundings& around = {}) const {
+    return expect_refused(words, {part}, status, around);
+  }
+
+  /// The same, of a line that is known whole.
+  void expect_refusal(const Words& words, const std::string& why, int status = could_not,
+                      const Surroundings& around = {}) const {
+    EXPECT_EQ(expect_refused(words, why, status, around), "coppermoon: " + why + "\n");
+  }
+};
+
+}  // namespace coppermoon
