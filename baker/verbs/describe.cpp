@@ -91,7 +91,7 @@ Json as_json(const CLI::App& verb) {
   Json json{
       {"name", verb.get_name()}, {"meaning", verb.get_description()}, {"parameters", parameters}};
   for (const auto& document : dynamic_cast<const Verb&>(verb).documents)
-    json["documents"].push_back(result::as_json(document));
+    json["documents"].push_back(result::as_json(document()));
   return json;
 }
 

@@ -65,7 +65,7 @@ void add_scene(CLI::App& program) {
              "renderer of the scene: povray, or mitsuba (Mitsuba 3: eclipse.xml, which "
              "`mitsuba -m scalar_rgb -o frame.exr eclipse.xml` renders)");
   parameters_of(*verb).find("sky")->not_beside({{"for", {"mitsuba"}}});
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
+  add_json_switch(*verb, options->json, {result::fields_of<Report>});
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

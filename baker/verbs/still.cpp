@@ -127,7 +127,7 @@ void add_still(CLI::App& program) {
   add_described(*verb, options->passes, uses::describe_passes);
   for (const char* of_frame : {"space", "passes"})
     parameters_of(*verb).find(of_frame)->only_with({{"frame"}});
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
+  add_json_switch(*verb, options->json, {result::fields_of<Report>});
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

@@ -115,8 +115,12 @@ Flag add_switch(CLI::App& verb, const std::string& names, bool& value, const std
 /// A flag without a value that says how this run goes, as --json: no recipe holds it.
 Flag add_run_switch(CLI::App& verb, const std::string& names, bool& value, const std::string& help);
 
+/// Documents that --json prints: one of these. A function each, for few commands ask for the fields.
+using Documents = std::vector<result::Fields (*)()>;
+
 /// Adds --json, and says which documents it prints (`coppermoon describe`).
-void add_json_switch(CLI::App& verb, bool& value, std::vector<result::Fields> documents);
+Flag add_json_switch(CLI::App& verb, bool& value, Documents documents,
+                     const std::string& help = "prints one JSON document");
 
 /// Returned  the new word of the command line
 CLI::App* add_verb(CLI::App& program, const std::string& name, const std::string& help);

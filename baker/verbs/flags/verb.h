@@ -8,6 +8,7 @@
 
 #include "request/parameter.h"
 #include "result/fields.h"
+#include "verbs/flags/flags.h"
 
 namespace coppermoon::verbs {
 
@@ -18,8 +19,8 @@ struct Verb : CLI::App {
       : CLI::App(std::move(help), std::move(name), &program) {}
 
   request::Parameters parameters;
-  std::vector<result::Fields> documents;  ///< that --json prints: one of these
-  std::vector<std::string> typed;         ///< names of the flags on the command line itself
+  Documents documents;
+  std::vector<std::string> typed;  ///< names of the flags on the command line itself
 };
 
 }  // namespace coppermoon::verbs
