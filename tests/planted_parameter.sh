@@ -1,8 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# How to add a term of the air, a camera's response, a city, a map's encoding and an output format, as worked examples that run:
-# plants one of each in a copy of the sources, builds the program, and shows that it has them without any other edit: the term,
-# `volcanic-glass`, in flags, help, completions, recipes, `describe`, random recipes, the fuzzers' words and docs/recipes.md.
+# How to add a term of the air, a number of a result, a camera's response, a city, a map's encoding and an output format, as worked
+# examples that run: plants one of each in a copy of the sources, builds the program, and shows that it has them without any other edit: the term,
+# `volcanic-glass`, in flags, help, completions, recipes, `describe`, random recipes, the fuzzers' words and docs/recipes.md; the
+# number, `planted_mlx`, in --json, in Python with its docstring and stub, pickled, and in docs/results.md.
 # Exits 1 where something lacks one, or where one needs more edits than are allowed here. The copy stays in build/planted,
 # for the next time.
 set -eu
@@ -69,6 +70,15 @@ edit baker/uses/light/light_parameters.cpp 'auto& stratosphere = column.stratosp
 
 counted 'term of the air' 9 8
 
+# A result: its number, what that is, and how it is found.
+edit baker/uses/picture/brightness.h 'std::optional<BrightnessSeen> seen = {};' \
+  '  double planted_mlx = 0;'
+edit baker/uses/picture/brightness.h 'describe_light(is, brightness.disc);' \
+  '  is("planted_mlx", brightness.planted_mlx, algebra::Unit{"mlx"}, "planted illuminance");'
+edit baker/uses/picture/brightness.cpp 'MoonBrightness brightness{sky.when,' \
+  '  brightness.planted_mlx = 1e3 * brightness.disc.illuminance_lx;'
+counted 'number of a result' 3 3
+
 # A camera's response: its three columns in the table, here copies of the first, and its name on the page of cameras.
 awk -F, '/^#/ { print; next } !named { named = 1; print $0 ",planted-camera_r,planted-camera_g,planted-camera_b"; next }
   { print $0 "," $2 "," $3 "," $4 }' "$new/colour/data/camera_spectra.csv" >"$scratch/edited"
@@ -103,7 +113,7 @@ counted 'output format' 2 1
 done
 cd "$copy"
 export CCACHE_BASEDIR="$copy"
-{ cmake --preset release && cmake --build build/release --target coppermoon_program coppermoon_manual_pages extremes_heavy_tests; } \
+{ cmake --preset release && cmake --build build/release --target coppermoon_program coppermoon_python coppermoon_manual_pages extremes_heavy_tests; } \
   >build.log 2>&1 || { tail -n 30 build.log >&2; exit 1; }
 program=$copy/build/release/coppermoon
 
@@ -124,7 +134,8 @@ build/release/tests/extremes_heavy_tests random_recipes >"$scratch/random" || { 
 has 'random recipes' '[  PASSED  ]' <"$scratch/random"
 
 cd "$scratch"
-small="--texture-width 16 --tolerance 50% --atmosphere molecular"
+small_light="--tolerance 50% --atmosphere molecular"
+small="--texture-width 16 $small_light"
 bake() { "$program" bake "$@" >/dev/null; }
 bake 2018-07-27 $small -o clear.exr
 bake 2018-07-27 $small --volcanic-glass 0.5 -o glass.exr
@@ -140,6 +151,20 @@ bake 2018-07-27 $small --recipe north.toml -o north.exr
 echo 'recipe of a region'
 "$program" bake 2018-07-27 $small --volcanic-glass 11 -o no.exr 2>refused && exit 1
 has 'refusal' 'volcanic glass = 11, allowed 0 to 10' <refused
+
+"$program" brightness 2018-07-27 $small_light --json | has 'number in --json' '"planted_mlx"'
+PYTHONPATH=$copy/build/release/python /usr/bin/python3 - 2018-07-27 <<'END'
+import pickle, sys
+import coppermoon
+moon = coppermoon.brightness(sys.argv[1], air=coppermoon.Air(atmosphere="molecular"), light=coppermoon.Light(tolerance=0.5))
+assert moon.planted_mlx == 1e3 * moon.illuminance_lx
+assert coppermoon.Brightness.planted_mlx.__doc__ == "planted illuminance [mlx]"
+assert pickle.loads(pickle.dumps(moon)) == moon and "planted_mlx=" in repr(moon)
+print("number in Python, and pickled")
+END
+has 'number in the stub' 'def planted_mlx(self) -> float' <"$copy/build/release/python/coppermoon/__init__.pyi"
+"$copy/tests/docs/result_tables.py" "$program" --write
+has 'docs/results.md' '| `planted_mlx` | number | mlx | planted illuminance |' <"$copy/docs/results.md"
 
 "$program" night 2018-07-27 --at 'Planted City' | has 'city' 'Planted City: '
 bake 2018-07-27 $small --response planted-camera -o camera.exr

@@ -185,6 +185,14 @@ std::vector<std::pair<std::string, Instant>> contacts_of(const Eclipse& eclipse)
   return all;
 }
 
+algebra::ByName<Instant> by_name(const Contacts& contacts) {
+  Eclipse eclipse;
+  eclipse.contacts = contacts;
+  auto all = contacts_of(eclipse);
+  std::erase_if(all, [](const auto& one) { return one.first == "greatest"; });
+  return all;
+}
+
 std::optional<Eclipse> eclipse_of_day(const Instant& midnight, ShadowConvention convention) {
   constexpr double day_s = 86400;
   const auto first = almanac::later(midnight, -0.5);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra/described.h"
 #include "almanac/ephemeris.h"
 #include "almanac/instant.h"
 #include "eclipse/shadow_cone.h"
@@ -32,6 +33,29 @@ struct Eclipse {
   Contacts contacts;
   almanac::Calendar calendar = almanac::Calendar::gregorian;  ///< of dates in reports
 };
+
+/// Contacts by their names, in order of time: "P1" … "P4".
+algebra::ByName<almanac::Instant> by_name(const Contacts& contacts);
+
+template <class Field>
+void describe_numbers(Field&& is, const Eclipse& eclipse) {
+  is("greatest", eclipse.greatest,
+     "moment at which the Moon's centre is at its least angle from the shadow's axis, UTC");
+  is("type", algebra::Word{name(eclipse.type), {"penumbral", "partial", "total"}}, "its type");
+  is("gamma", eclipse.gamma, algebra::unit::earth_radii,
+     "distance of the Moon's centre from the axis then, north positive");
+  is("umbral_magnitude", eclipse.umbral_magnitude, "share of the Moon's diameter in the umbra");
+  is("penumbral_magnitude", eclipse.penumbral_magnitude,
+     "share of the Moon's diameter in the penumbra");
+}
+
+template <class Field>
+void describe(Field&& is, const Eclipse& eclipse) {
+  is.a("Eclipse", "An eclipse of the Moon.");
+  describe_numbers(is, eclipse);
+  is("contacts", by_name(eclipse.contacts),
+     "moments by the names of the contacts that it has: P1, U1, U2, U3, U4, P4, UTC");
+}
 
 /// Title in the eclipse's calendar, as "Total eclipse of the Moon, 2018-07-27".
 std::string title(const Eclipse& eclipse);

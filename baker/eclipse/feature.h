@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "algebra/described.h"
 #include "almanac/ephemeris.h"
 #include "almanac/instant.h"
 #include "almanac/lunar_orientation.h"
@@ -14,6 +15,12 @@ namespace coppermoon::eclipse {
 struct FeatureTimes {
   std::optional<almanac::Instant> immersion, emersion;
 };
+
+template <class Field>
+void describe_times(Field&& is, const FeatureTimes& times) {
+  is("immersion", algebra::if_any(times.immersion), "moment at which the umbra's edge reaches it");
+  is("emersion", algebra::if_any(times.emersion), "moment at which the umbra's edge leaves it");
+}
 
 /// Times of the umbra's edge at a lunar feature, always by ShadowConvention::danjon_oblate. Places on the far side,
 /// which are not seen, have their times, too.

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "algebra/described.h"
+
 namespace coppermoon::plan {
 
 /// Ways to refracted light: the quadrature, which has no noise; photons by a table of the limb's rays; literal
@@ -111,6 +113,49 @@ struct Plan {
   bool misses_tolerance = false;       ///< at any cost, or within the budget
   bool exceeds_budget = false;         ///< even by the coarsest work
 };
+
+/// Time, and relative error of luminance, the largest on the disc.
+struct Cost {
+  double seconds = 0, error = 0;
+};
+
+template <class Field>
+void describe(Field&& is, const Cost& cost) {
+  is.a("Cost", "Time and error of light.");
+  is("seconds", cost.seconds, algebra::unit::seconds, "time");
+  is("error", cost.error, "relative error of luminance, the largest on the disc");
+}
+
+template <class Field>
+void describe(Field&& is, const Alternative& one) {
+  is.a("Alternative", "A method that was weighed.");
+  is("method", name(one.solver), "its name");
+  describe(is, Cost{one.seconds, one.error});
+}
+
+template <class Field>
+void describe(Field&& is, const LeftOut& one) {
+  is.a("LeftOut", "A term of the light that is left out.");
+  is("term", name(one.term), "its name");
+  is("size", one.size, "relative change of luminance without it");
+}
+
+template <class Field>
+void describe(Field&& is, const Plan& plan) {
+  const auto any = [](const auto& list) {
+    return list.empty() ? std::nullopt : std::optional(list);
+  };
+  const char* gave_way = plan.exceeds_budget ? "budget" : "tolerance";
+  is.a("Plan", "What light requires, and what it will cost.");
+  is("left_out", plan.left_out, "terms that are too small to count");
+  is("predicted", Cost{plan.seconds, plan.error}, "what is predicted");
+  is("methods", algebra::if_any(any(plan.methods)), "methods that were weighed, best first");
+  is("gave_way",
+     algebra::if_any(plan.misses_tolerance || plan.exceeds_budget
+                         ? std::optional(algebra::Word{gave_way, {"tolerance", "budget"}})
+                         : std::nullopt),
+     "wish that is not met");
+}
 
 /// Predicted seconds for light and texture.
 ///

@@ -9,9 +9,15 @@
 namespace coppermoon::result {
 namespace {
 
-std::string cell(const Json& value) {
+std::string text_of(const Json& value) {
   if (value.is_null()) return "";
   return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+/// In quotes where it holds a comma.
+std::string cell(const Json& value) {
+  const auto text = text_of(value);
+  return text.find(',') == std::string::npos ? text : '"' + text + '"';
 }
 
 }  // namespace
@@ -33,9 +39,9 @@ std::string as_csv(const Json& rows) {
 std::string as_lines(const Json& object, const std::string& number) {
   std::string lines;
   for (const auto& [key, value] : object.items())
-    lines += fmt::format(
-        "{:<30}{}\n", key,
-        value.is_number() ? fmt::format(fmt::runtime(number), value.get<double>()) : cell(value));
+    lines += fmt::format("{:<30}{}\n", key,
+                         value.is_number() ? fmt::format(fmt::runtime(number), value.get<double>())
+                                           : text_of(value));
   return lines;
 }
 

@@ -16,7 +16,8 @@ using Json = nlohmann::ordered_json;
 /// How values are written.
 struct Style {
   almanac::Calendar calendar = almanac::Calendar::gregorian;  ///< of dates
-  int decimals = 0;                                           ///< of an instant's seconds
+  bool as_row = false;  ///< every key is there, that of no value with null
+  int decimals = 0;     ///< of an instant's seconds
 };
 
 /// A result as an object, keys in the order of its description. Numbers that are not finite are null.
@@ -26,7 +27,9 @@ Json as_json(const Result& result, const Style& style = {});
 /// A value as JSON.
 template <class Value>
 Json json_of(const Value& value, const Style& style) {
-  if constexpr (is_a<Value, std::optional>) {
+  if constexpr (std::is_same_v<Value, Json>) {
+    return value;
+  } else if constexpr (is_a<Value, std::optional>) {
     return value ? json_of(*value, style) : Json();
   } else if constexpr (is_a<Value, algebra::IfAny>) {
     return json_of(value.value, style);
@@ -76,7 +79,10 @@ struct Writes {
     if constexpr (std::invocable<Value>) {
       (*this)(key, value(), meaning);
     } else if constexpr (is_a<Value, algebra::IfAny>) {
-      if (value.value) write(key, *value.value);
+      if (value.value)
+        write(key, *value.value);
+      else if (style.as_row)
+        write(key, Json());
     } else if constexpr (is_a<Value, std::optional>) {
       if constexpr (Described<typename Value::value_type>) {
         if (value) write(key, *value);
@@ -106,6 +112,14 @@ Json as_json(const Result& result, const Style& style) {
 
 /// Rows as CSV under the names of their columns: objects with the same keys, none nested. Null is empty.
 std::string as_csv(const Json& rows);
+
+/// Results as CSV, a row each.
+template <class Results>
+requires Described<std::ranges::range_value_t<Results>> std::string as_csv(const Results& results,
+                                                                           Style style = {}) {
+  style.as_row = true;
+  return as_csv(json_of(results, style));
+}
 
 /// Object as lines of key and value, for a terminal.
 ///

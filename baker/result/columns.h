@@ -29,6 +29,8 @@ struct Gathers {
   void operator()(std::string_view key, const Value& value, std::string_view) {
     if constexpr (std::is_floating_point_v<Value>)
       add(key, value);
+    else if constexpr (std::is_same_v<Value, algebra::Angle>)
+      add(key, algebra::in_degrees(value));
     else if constexpr (std::is_same_v<Value, std::optional<double>>)
       add(key, value.value_or(std::numeric_limits<double>::quiet_NaN()));
   }
@@ -42,7 +44,7 @@ struct Gathers {
 
 }  // namespace detail
 
-/// The numbers of results that have the same keys, column by column; NaN where there is none.
+/// The numbers of results that have the same keys, column by column: NaN where there is none, angles in degrees.
 template <class Results>
 std::vector<Column> columns_of(const Results& results) {
   std::vector<Column> columns;

@@ -30,8 +30,8 @@ std::string meaning_of(const Field& field) {
 }
 
 nlohmann::ordered_json as_json(const Fields& fields) {
-  auto all = nlohmann::ordered_json::array();
-  for (const auto& field : fields.all) all.push_back(as_json(field));
+  nlohmann::ordered_json all{{"meaning", fields.meaning}, {"many", fields.many}};
+  for (const auto& field : fields.all) all["fields"].push_back(as_json(field));
   return all;
 }
 

@@ -47,10 +47,10 @@ enum class Kind { truth, whole, number, text, word, instant, numbers, list, by_n
 
 /// A value that a result describes.
 struct Field {
-  std::string key;
+  std::string key{};
   Kind kind = Kind::number;
   Kind of = Kind::number;  ///< of each value of a list, or of those by name
-  std::string unit, meaning;
+  std::string unit{}, meaning{};
   bool may_be_none = false;    ///< null, or left out
   bool may_be_absent = false;  ///< left out where there is none
   int axes = 0;                ///< of `numbers`
@@ -63,6 +63,7 @@ struct Field {
 struct Fields {
   std::string name, meaning;
   std::vector<Field> all;
+  bool many = false;  ///< a list of such results
 };
 
 template <Described Result>
@@ -71,7 +72,7 @@ Fields fields_of();
 /// Text for people: the meaning, and the unit in brackets.
 std::string meaning_of(const Field& field);
 
-/// Fields as JSON: `key`, `kind`, `unit`, `words`, `may_be`, `meaning`, `fields`.
+/// A result as JSON: `meaning`, `many`, `fields`, each with `key`, `kind`, `unit`, `words`, `may_be`, `meaning`, `fields`.
 nlohmann::ordered_json as_json(const Fields& fields);
 
 namespace detail {
@@ -98,6 +99,8 @@ void set_kind(Field& field) {
       set_kind<typename decltype(Value::value)::value_type>(field);
     field.may_be_none = true;
     field.may_be_absent = is_a<Value, algebra::IfAny> || field.kind == Kind::object;
+  } else if constexpr (std::is_same_v<Value, nlohmann::ordered_json>) {
+    field.kind = Kind::object;
   } else if constexpr (std::is_same_v<Value, bool>) {
     field.kind = Kind::truth;
   } else if constexpr (std::is_integral_v<Value>) {
@@ -134,7 +137,9 @@ void set_kind(Field& field) {
 struct TakesDown {
   Fields fields;
 
+  /// The first counts: a result may describe a part of it beside its own values.
   void a(std::string_view name, std::string_view meaning) {
+    if (!fields.name.empty()) return;
     fields.name = name;
     fields.meaning = meaning;
   }
@@ -173,6 +178,14 @@ Fields fields_of() {
   detail::TakesDown taken;
   describe(taken, Result{});
   return taken.fields;
+}
+
+/// Fields of a list of results.
+template <Described Result>
+Fields fields_of_each() {
+  auto fields = fields_of<Result>();
+  fields.many = true;
+  return fields;
 }
 
 }  // namespace coppermoon::result

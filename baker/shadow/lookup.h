@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "algebra/grid.h"
@@ -81,6 +82,11 @@ class Lookup {
 
   /// Look-up without a shadow: full sunlight everywhere, or 0 for `LightPart::refracted`.
   explicit Lookup(const ChannelWeights& weights, LightPart part = LightPart::all);
+
+  /// Look-up of a table that another one had.
+  explicit Lookup(LookupTable table) : table_(std::move(table)) {}
+
+  const LookupTable& table() const { return table_; }
 
   std::size_t channels() const { return table_.channels; }
 

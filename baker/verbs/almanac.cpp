@@ -3,7 +3,6 @@
 #include <chrono>
 #include <cstdlib>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "almanac/gazetteer.h"
 #include "eclipse/contacts.h"
 #include "eclipse/feature.h"
+#include "result/as_json.h"
 #include "uses/light/photometer.h"
 #include "uses/night/calendar_file.h"
 #include "uses/night/eclipse_light.h"
@@ -20,14 +20,11 @@
 #include "uses/picture/place_text.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/moments.h"
-#include "verbs/reports/report.h"
 #include "verbs/reports/writers.h"
 
 namespace coppermoon::verbs {
 namespace of_almanac {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct Options {
   std::string from, to, at, convention = "danjon";
@@ -45,14 +42,82 @@ eclipse::ShadowConvention convention_from(const std::string& name) {
   return eclipse::ShadowConvention::danjon;
 }
 
-/// Eclipse of a list, with the crossing times of the feature that was asked for.
+using Contact = std::pair<const char*, std::optional<almanac::Instant>>;
+
+std::vector<Contact> contact_columns(const eclipse::Eclipse& e) {
+  const auto& c = e.contacts;
+  return {{"P1", c.P1}, {"U1", c.U1}, {"U2", c.U2}, {"U3", c.U3}, {"U4", c.U4}, {"P4", c.P4}};
+}
+
+/// Times at which the umbra's edge crosses a feature.
+struct Crossing {
+  almanac::SelenographicPoint place;
+  eclipse::FeatureTimes times;
+};
+
+template <class Field>
+void describe(Field&& is, const Crossing& crossing) {
+  namespace unit = algebra::unit;
+  is.a("Crossing", "Times at which the umbra's edge crosses a feature.");
+  is("latitude_deg", crossing.place.latitude, unit::degrees, "latitude of the feature");
+  is("longitude_deg", crossing.place.longitude, unit::degrees, "longitude of the feature");
+  describe_times(is, crossing.times);
+}
+
+/// Eclipse of a list, with what else is asked for.
 struct Listed {
   eclipse::Eclipse eclipse;
   std::optional<uses::MoonBrightness> brightness{};  ///< at greatest eclipse
-  std::optional<eclipse::FeatureTimes> feature{};
+  std::optional<Crossing> feature{};
   std::optional<uses::Circumstances> night{};  ///< at the observer's place
   std::optional<std::string> seen{};           ///< first and last contact that is seen
 };
+
+template <class Field>
+void describe_seen(Field&& is, const Listed& listed) {
+  is("seen", algebra::if_any(listed.seen),
+     "contacts between which a place sees the Moon, with --at");
+}
+
+template <class Field>
+void describe_brightness(Field&& is, const Listed& listed) {
+  const auto of_light = [&](auto value) {
+    return algebra::if_any(listed.brightness ? std::optional(value(*listed.brightness))
+                                             : std::nullopt);
+  };
+  using Light = uses::MoonBrightness;
+  is("V_magnitude",
+     of_light([](const Light& light) { return light.disc.magnitudes[uses::V_band]; }),
+     algebra::unit::mag, "V magnitude of the whole Moon at greatest eclipse, with --brightness");
+  is("V_error", of_light([](const Light& light) { return light.V_error; }), algebra::unit::mag,
+     "its standard error, of a total eclipse");
+  is("danjon_by_V", of_light([](const Light& light) { return light.danjon; }),
+     "step of Danjon's scale by V");
+}
+
+template <class Field>
+void describe(Field&& is, const Listed& listed) {
+  describe(is, listed.eclipse);
+  describe_seen(is, listed);
+  describe_brightness(is, listed);
+  is("feature", listed.feature, "when the umbra's edge crosses the feature, with --feature");
+}
+
+/// Eclipse as a row of a table, where every row has each column.
+struct Row {
+  Listed listed;
+};
+
+template <class Field>
+void describe(Field&& is, const Row& row) {
+  const auto& [eclipse, brightness, feature, night, seen] = row.listed;
+  describe_numbers(is, eclipse);
+  if (eclipse.calendar == almanac::Calendar::julian) is("calendar", "julian", "of all dates");
+  for (const auto& [name, when] : contact_columns(eclipse)) is(name, when, "a contact");
+  if (feature) describe_times(is, feature->times);
+  if (seen) describe_seen(is, row.listed);
+  if (brightness) describe_brightness(is, row.listed);
+}
 
 /// Eclipses of some years: what the command prints.
 struct EclipseList {
@@ -62,63 +127,6 @@ struct EclipseList {
   std::optional<almanac::Observer> observer;
   std::string at;  ///< the observer's place, as it was given
 };
-
-using Contact = std::pair<const char*, std::optional<almanac::Instant>>;
-
-std::vector<Contact> contact_columns(const eclipse::Eclipse& e) {
-  const auto& c = e.contacts;
-  return {{"P1", c.P1}, {"U1", c.U1}, {"U2", c.U2}, {"U3", c.U3}, {"U4", c.U4}, {"P4", c.P4}};
-}
-
-Json numbers_of(const eclipse::Eclipse& e) {
-  return {{"greatest", almanac::utc_text(e.greatest, e.calendar)},
-          {"type", name(e.type)},
-          {"gamma", e.gamma},
-          {"umbral_magnitude", e.umbral_magnitude},
-          {"penumbral_magnitude", e.penumbral_magnitude}};
-}
-
-Json as_json(const eclipse::Eclipse& e) {
-  auto all = numbers_of(e);
-  all["contacts"] = Json::object();
-  for (const auto& [key, when] : contact_columns(e))
-    if (when) all["contacts"][key] = almanac::utc_text(*when, e.calendar);
-  return all;
-}
-
-Json as_json(const almanac::SelenographicPoint& place, const eclipse::FeatureTimes& times,
-             almanac::Calendar calendar) {
-  Json feature{{"latitude_deg", algebra::in_degrees(place.latitude)},
-               {"longitude_deg", algebra::in_degrees(place.longitude)}};
-  if (times.immersion) feature["immersion"] = almanac::utc_text(*times.immersion, calendar);
-  if (times.emersion) feature["emersion"] = almanac::utc_text(*times.emersion, calendar);
-  return feature;
-}
-
-/// Number, or null where there is none.
-Json or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
-
-Json as_json(const uses::MoonBrightness& brightness) {
-  return {{"V_magnitude", brightness.disc.magnitudes[uses::V_band]},
-          {"V_error", or_null(brightness.V_error)},
-          {"danjon_by_V", or_null(brightness.danjon)}};
-}
-
-/// An eclipse as a row of a table; every row has each column.
-Json as_row(const Listed& listed) {
-  const auto calendar = listed.eclipse.calendar;
-  const auto text = [&](const std::optional<almanac::Instant>& when) {
-    return when ? Json(almanac::utc_text(*when, calendar)) : Json();
-  };
-  auto row = numbers_of(listed.eclipse);
-  say_calendar(row, calendar);
-  for (const auto& [key, when] : contact_columns(listed.eclipse)) row[key] = text(when);
-  if (const auto& times = listed.feature)
-    row["immersion"] = text(times->immersion), row["emersion"] = text(times->emersion);
-  if (listed.seen) row["seen"] = *listed.seen;
-  if (listed.brightness) row.update(as_json(*listed.brightness));
-  return row;
-}
 
 std::string time_of_day(const std::optional<almanac::Instant>& when) {
   return when ? almanac::time_of_day_text(*when) : "-";
@@ -153,8 +161,9 @@ void print(const Listed& listed, std::size_t width) {
   fmt::print("{:<{}}{:<10}{:>8.4f}{:>9.4f}{:>9.4f}", greatest(listed), width, name(e.type), e.gamma,
              e.umbral_magnitude, e.penumbral_magnitude);
   for (const auto& [key, when] : contact_columns(e)) fmt::print("  {:<8}", time_of_day(when));
-  if (const auto& times = listed.feature)
-    fmt::print("  {:<10}  {:<11}", time_of_day(times->immersion), time_of_day(times->emersion));
+  if (const auto& feature = listed.feature)
+    fmt::print("  {:<10}  {:<11}", time_of_day(feature->times.immersion),
+               time_of_day(feature->times.emersion));
   if (const auto& light = listed.brightness)
     fmt::print("  {:>6.2f}{:<8}{:<4}", light->disc.magnitudes[uses::V_band],
                light->V_error ? fmt::format(" ± {:.2f}", *light->V_error) : "",
@@ -197,27 +206,21 @@ EclipseList listed(const Options& options) {
       one.night = uses::seen_circumstances(e, *list.observer);
       one.seen = uses::contacts_seen(*one.night);
     }
-    if (list.feature) one.feature = eclipse::feature_times(e, *list.feature);
+    if (list.feature) one.feature = {*list.feature, eclipse::feature_times(e, *list.feature)};
     if (options.brightness) one.brightness = uses::brightness_of({}, almanac::sky_at(e.greatest));
   }
   return list;
 }
 
 std::string as_csv(const EclipseList& list) {
-  auto rows = Json::array();
-  for (const auto& each : list.eclipses) rows.push_back(as_row(each));
-  return verbs::as_csv(rows);
+  std::vector<Row> rows;
+  for (const auto& each : list.eclipses) rows.push_back({each});
+  return result::as_csv(rows, {list.calendar});
 }
 
 std::string as_json(const EclipseList& list) {
-  auto all = Json::array();
-  for (const auto& each : list.eclipses) {
-    all.push_back(as_json(each.eclipse));
-    say_calendar(all.back(), list.calendar);
-    if (each.seen) all.back()["seen"] = *each.seen;
-    if (each.brightness) all.back().update(as_json(*each.brightness));
-    if (list.feature) all.back()["feature"] = as_json(*list.feature, *each.feature, list.calendar);
-  }
+  auto all = result::json_of(list.eclipses, {list.calendar});
+  for (auto& each : all) say_calendar(each, list.calendar);
   return all.dump(2) + "\n";
 }
 
@@ -309,7 +312,7 @@ void add_almanac(Program& program) {
              "with the standard error of a total eclipse, and Danjon's L by V");
   add_outputs(verb, options->outputs, writers());
   add_run_switch(verb, "--csv", options->csv, "prints the eclipses as CSV");
-  add_run_switch(verb, "--json", options->json, "prints one JSON document").not_beside({{"csv"}});
+  add_json_switch(verb, options->json, {result::fields_of_each<Listed>}).not_beside({{"csv"}});
   on_run(verb, [options] { run(*options); });
 }
 

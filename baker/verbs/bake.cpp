@@ -395,8 +395,7 @@ void add_bake(Program& program) {
     if (parameter.affects == request::Affects::picture)
       parameter.only_with({{"output", {".png", ".glb", ".usdz", ".stellarium"}}});
   verb.parameters.find("type")->only_with({{"output", {".exr", ".tx", ".usda"}}, {"cache"}});
-  add_run_switch(verb, "--json", options->json, "prints one JSON document")
-      .not_beside({{"cache"}});
+  add_json_switch(verb, options->json, {result::fields_of<Report>}).not_beside({{"cache"}});
   on_run(verb, [&verb, options] { run(verb, *options); });
 }
 

@@ -259,7 +259,7 @@ void add_brightness(Program& program) {
       .only_with({{"from"}, {"to"}});
   add_outputs(verb, options->outputs, writers());
   add_json_switch(verb, options->json,
-                  {result::fields_of<uses::MoonBrightness>(), result::fields_of<Curve>()});
+                  {result::fields_of<uses::MoonBrightness>, result::fields_of<Curve>});
   add_run_switch(verb, "--csv", options->csv, "prints a table as CSV").not_beside({{"json"}});
   on_run(verb, [options] { run(*options); });
 }

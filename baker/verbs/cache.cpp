@@ -6,13 +6,12 @@
 #include <chrono>
 #include <cstdlib>
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "algebra/error.h"
 #include "algebra/number.h"
 #include "files/cache_folder.h"
 #include "files/environment.h"
+#include "result/as_json.h"
 #include "texture/read_image.h"
 #include "verbs/command_line.h"
 #include "verbs/reports/one_line.h"
@@ -21,7 +20,6 @@ namespace coppermoon::verbs {
 namespace of_cache {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using files::KeptFile;
 
 struct Options {
@@ -29,12 +27,6 @@ struct Options {
   std::optional<double> limit_gb;
   bool list = false, clean = false, json = false;
 };
-
-double bytes_of(const std::vector<KeptFile>& files) {
-  return std::accumulate(files.begin(), files.end(), 0., [](double sum, const KeptFile& file) {
-    return sum + static_cast<double>(file.bytes);
-  });
-}
 
 std::string in_megabytes(double bytes) { return fmt::format("{:.1f} MB", bytes / 1e6); }
 
@@ -56,51 +48,76 @@ std::string moment_of(const KeptFile& file) {
   }
 }
 
-Json as_json(const std::vector<KeptFile>& files) {
-  auto all = Json::array();
-  for (const auto& file : files)
-    all.push_back({{"file", file.path.string()},
-                   {"bytes", file.bytes},
-                   {"days_since_use", days_since(file.used)},
-                   {"instant", moment_of(file)}});
-  return all;
+/// Texture that is kept, or was removed.
+struct Texture {
+  KeptFile file;
+  bool stays = true;
+};
+
+template <class Field>
+void describe(Field&& is, const Texture& texture) {
+  const auto if_it_stays = [&](auto value) {
+    return [&texture, value] {
+      return algebra::if_any(texture.stays ? std::optional(value(texture.file)) : std::nullopt);
+    };
+  };
+  is.a("Texture", "A texture that is kept, or was removed.");
+  is("file", texture.file.path.string(), "its path");
+  is("bytes", texture.file.bytes, algebra::unit::bytes, "its size");
+  is("days_since_use", if_it_stays([](const KeptFile& file) { return days_since(file.used); }),
+     algebra::unit::days, "time since its last use");
+  is("instant", if_it_stays([](const KeptFile& file) { return moment_of(file); }),
+     "its moment, UTC; empty where its header has none");
 }
 
-void print(const std::vector<KeptFile>& files) {
-  for (const auto& file : files)
+/// Folder of kept textures, with those in it or those removed from it.
+struct Folder {
+  std::string path;
+  std::vector<Texture> textures;
+  std::optional<double> limit_bytes;  ///< none where some were removed
+
+  double bytes() const {
+    double sum = 0;
+    for (const auto& texture : textures) sum += static_cast<double>(texture.file.bytes);
+    return sum;
+  }
+};
+
+template <class Field>
+void describe(Field&& is, const Folder& folder) {
+  const auto some = [&](bool stay) {
+    return algebra::if_any(stay == folder.limit_bytes.has_value() ? std::optional(folder.textures)
+                                                                  : std::nullopt);
+  };
+  is.a("Folder", "Textures that are kept, or were removed.");
+  is("folder", folder.path, "the folder");
+  is("bytes", algebra::if_any(folder.limit_bytes ? std::optional(folder.bytes()) : std::nullopt),
+     algebra::unit::bytes, "size of all textures");
+  is("limit_bytes", algebra::if_any(folder.limit_bytes), algebra::unit::bytes, "size allowed");
+  is("textures", some(true), "the textures, those used last first");
+  is("removed", some(false), "the textures removed, with --clean");
+}
+
+Folder folder_of(const std::filesystem::path& path, const std::vector<KeptFile>& files,
+                 std::optional<double> limit_bytes) {
+  Folder folder{path.string(), {}, limit_bytes};
+  for (const auto& file : files) folder.textures.push_back({file, limit_bytes.has_value()});
+  return folder;
+}
+
+void print_list(const Folder& folder) {
+  for (const auto& [file, stays] : folder.textures)
     fmt::print("{}  {:>10}  {:5.1f} days  {}\n", file.path.filename().string(),
                in_megabytes(static_cast<double>(file.bytes)), days_since(file.used),
                moment_of(file));
+  fmt::print("{}: {} textures, {}; limit {:g} GB\n", one_line(folder.path), folder.textures.size(),
+             in_megabytes(folder.bytes()), *folder.limit_bytes / 1e9);
 }
 
-void list(const std::filesystem::path& folder, const Options& options) {
-  const auto files = files::kept_in(folder);
-  if (options.json) {
-    fmt::print("{}\n", Json{{"folder", folder.string()},
-                            {"bytes", bytes_of(files)},
-                            {"limit_bytes", cache_limit_gb() * 1e9},
-                            {"textures", as_json(files)}}
-                           .dump(2));
-    return;
-  }
-  print(files);
-  fmt::print("{}: {} textures, {}; limit {:g} GB\n", one_line(folder.string()), files.size(),
-             in_megabytes(bytes_of(files)), cache_limit_gb());
-}
-
-void clean(const std::filesystem::path& folder, const Options& options) {
-  const auto removed =
-      files::remove_oldest(folder, options.limit_gb.value_or(cache_limit_gb()) * 1e9,
-                           std::filesystem::file_time_type::max());
-  if (options.json) {
-    auto files = Json::array();
-    for (const auto& file : removed)
-      files.push_back({{"file", file.path.string()}, {"bytes", file.bytes}});
-    fmt::print("{}\n", Json{{"folder", folder.string()}, {"removed", files}}.dump(2));
-    return;
-  }
-  fmt::print("{}: {} textures removed, {}; {} textures stay\n", one_line(folder.string()),
-             removed.size(), in_megabytes(bytes_of(removed)), files::kept_in(folder).size());
+void print_removed(const Folder& folder) {
+  fmt::print("{}: {} textures removed, {}; {} textures stay\n", one_line(folder.path),
+             folder.textures.size(), in_megabytes(folder.bytes()),
+             files::kept_in(folder.path).size());
 }
 
 void run(const Options& options) {
@@ -111,7 +128,17 @@ void run(const Options& options) {
         "the usual cache");
   const std::filesystem::path folder =
       options.folder.empty() ? files::usual_cache() : std::filesystem::path(options.folder);
-  options.clean ? clean(folder, options) : list(folder, options);
+  const double limit_bytes = options.limit_gb.value_or(cache_limit_gb()) * 1e9;
+  const auto found = options.clean
+                         ? folder_of(folder,
+                                     files::remove_oldest(folder, limit_bytes,
+                                                          std::filesystem::file_time_type::max()),
+                                     {})
+                         : folder_of(folder, files::kept_in(folder), limit_bytes);
+  if (options.json)
+    fmt::print("{}\n", result::as_json(found).dump(2));
+  else
+    options.clean ? print_removed(found) : print_list(found);
 }
 
 }  // namespace
@@ -150,7 +177,7 @@ void add_cache(Program& program) {
            "folder of kept textures; default: the variable COPPERMOON_CACHE, or coppermoon in the "
            "user's folder of caches")
       .writes_folder();
-  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  add_json_switch(verb, options->json, {result::fields_of<Folder>});
   verb.run = [options] { run(*options); };
 }
 

@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <numbers>
+#include <optional>
 
 #include "algebra/error.h"
 #include "almanac/instant.h"
@@ -16,6 +15,7 @@
 #include "colour/exposure.h"
 #include "colour/working_space.h"
 #include "files/whole_file.h"
+#include "result/as_json.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 #include "uses/compare/comparison.h"
@@ -31,13 +31,10 @@
 #include "verbs/recipes/recipe_file.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
-#include "verbs/reports/report.h"
 
 namespace coppermoon::verbs {
 namespace of_compare {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct Options {
   std::string photo, render, output, recipe_in;
@@ -105,54 +102,111 @@ texture::Image read_render(const Options& options, const uses::FramePlaces& plac
   return render;
 }
 
+/// Place of the render in the photograph.
+struct Placed {
+  colour::Registration registration;
+};
+
+template <class Field>
+void describe(Field&& is, const Placed& placed) {
+  namespace unit = algebra::unit;
+  const auto& to_photo = placed.registration.render_to_photo;
+  is.a("Registration", "Where the render lies in the photograph.");
+  is("scale", to_photo.scale, "factor on lengths");
+  is("rotation_deg", algebra::radians(to_photo.rotation_rad), unit::degrees, "rotation");
+  is("x_px", to_photo.x_px, unit::pixels, "shift to the right");
+  is("y_px", to_photo.y_px, unit::pixels, "shift down");
+  is("mirrored", to_photo.mirrored, "whether the photograph shows the Moon mirrored");
+  is("correlation", placed.registration.correlation, "correlation of markings, -1 to 1");
+}
+
+/// Exposure of the photograph.
+struct Exposed {
+  std::optional<colour::Exposure> exif;
+  double used = 1, fitted = 1;
+
+  double stops_of_fit() const { return std::log2(fitted / used); }
+};
+
+template <class Field>
+void describe(Field&& is, const Exposed& exposed) {
+  const auto of_header = [&](double colour::Exposure::*number) {
+    return algebra::if_any(exposed.exif ? std::optional((*exposed.exif).*number) : std::nullopt);
+  };
+  is.a("Exposure", "Exposure of the photograph.");
+  is("from", algebra::Word{exposed.exif ? "exif" : "fit", {"exif", "fit"}}, "what it is known by");
+  is("value_per_cd_m2", exposed.used, "the photograph's number for a luminance of 1 cd/m²");
+  is("fitted_value_per_cd_m2", exposed.fitted, "the number that suits best");
+  is("fitted_over_used_stops", exposed.stops_of_fit(), algebra::unit::stops,
+     "how much that is more");
+  is("time_s", of_header(&colour::Exposure::time_s), algebra::unit::seconds,
+     "exposure time by the header");
+  is("f_number", of_header(&colour::Exposure::f_number), "f-number by the header");
+  is("iso", of_header(&colour::Exposure::iso), "ISO speed by the header");
+}
+
+const char* name(texture::Coding coding) {
+  switch (coding) {
+    case texture::Coding::srgb:
+      return "srgb";
+    case texture::Coding::linear:
+      return "linear";
+    case texture::Coding::camera:
+      return "camera";
+    default:
+      return "as-file-says";
+  }
+}
+
 /// Comparison, and how the photograph was read.
 struct Found {
   almanac::Instant when;
   std::optional<colour::Exposure> exif;
-  texture::Coding coding;  ///< by which the photograph was read
+  texture::Coding coding = texture::Coding::as_file_says;  ///< by which the photograph was read
   uses::Comparison comparison;
 
-  double stops_of_fit() const {
-    return std::log2(comparison.fitted_exposure / comparison.exposure);
-  }
+  Exposed exposed() const { return {exif, comparison.exposure, comparison.fitted_exposure}; }
 };
 
-Json as_json(const colour::Registration& registration) {
-  const auto& is = registration.render_to_photo;
-  return {{"scale", is.scale},       {"rotation_deg", is.rotation_rad * 180 / std::numbers::pi},
-          {"x_px", is.x_px},         {"y_px", is.y_px},
-          {"mirrored", is.mirrored}, {"correlation", registration.correlation}};
+/// How the photograph's numbers stand for light.
+struct Coded {
+  texture::Coding coding = texture::Coding::as_file_says;
+  std::optional<colour::ToneCurve> curve;
+};
+
+template <class Field>
+void describe(Field&& is, const Coded& coded) {
+  is.a("Light", "How the photograph's numbers stand for light.");
+  is("coding", name(coded.coding), "coding of its numbers");
+  is("tone_curve", coded.curve ? std::optional(components_of(*coded.curve)) : std::nullopt,
+     "principal components of its camera's tone curve, in standard deviations over cameras");
 }
 
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+/// A comparison, and the files that it is of.
+struct Document {
+  std::string photo, render, sheet;
+  Found found;
+};
 
-Json as_json(const uses::Difference& difference) {
-  const auto part = [](const std::optional<std::array<double, 2>>& uv, std::size_t k) {
-    return uv ? Json((*uv)[k]) : Json();
-  };
-  return {{"axis_distance_from_km", difference.from_km},
-          {"axis_distance_to_km", difference.to_km},
-          {"pixels", difference.pixels},
-          {"clipped_pixels", difference.clipped},
-          {"black_pixels", difference.black},
-          {"difference_stops", or_null(difference.stops)},
-          {"photo_u", part(difference.photo_uv, 0)},
-          {"photo_v", part(difference.photo_uv, 1)},
-          {"render_u", part(difference.render_uv, 0)},
-          {"render_v", part(difference.render_uv, 1)},
-          {"delta_e_2000", or_null(difference.delta_e_2000)}};
-}
-
-Json exposure_json(const Found& found) {
-  Json all{{"from", found.exif ? "exif" : "fit"},
-           {"value_per_cd_m2", found.comparison.exposure},
-           {"fitted_value_per_cd_m2", found.comparison.fitted_exposure},
-           {"fitted_over_used_stops", found.stops_of_fit()}};
-  if (found.exif)
-    all.update(Json{{"time_s", found.exif->time_s},
-                    {"f_number", found.exif->f_number},
-                    {"iso", found.exif->iso}});
-  return all;
+template <class Field>
+void describe(Field&& is, const Document& all) {
+  const auto& found = all.found;
+  const auto& comparison = found.comparison;
+  const auto& differences = comparison.differences;
+  is.a("Comparison", "A photograph beside a rendered frame, and how they differ.");
+  is("photo", all.photo, "the photograph");
+  is("render", all.render, "the rendered frame");
+  is("instant", found.when, "the moment, UTC");
+  is("registration", Placed{comparison.registration}, "where the render lies in the photograph");
+  is("exposure", found.exposed(), "exposure of the photograph");
+  is("light", Coded{found.coding, comparison.curve}, "how its numbers stand for light");
+  is(
+      "bins", [&] { return std::vector(differences.begin(), differences.end() - 1); },
+      "steps of distance from the shadow's axis");
+  is(
+      "disc", [&] { return differences.back(); }, "the whole disc");
+  is("file", algebra::if_any(all.sheet.empty() ? std::nullopt : std::optional(all.sheet)),
+     "the sheet that was made");
 }
 
 /// Coding of the photograph in words.
@@ -168,40 +222,6 @@ std::string coding_in_words(const Found& found) {
       return "as the file says";
   }
   return "its camera's, " + in_words(*found.comparison.curve);
-}
-
-Json coding_json(const Found& found) {
-  static const std::map<texture::Coding, const char*> names{
-      {texture::Coding::as_file_says, "as-file-says"},
-      {texture::Coding::srgb, "srgb"},
-      {texture::Coding::linear, "linear"},
-      {texture::Coding::camera, "camera"}};
-  Json all{{"coding", names.at(found.coding)}, {"tone_curve", Json()}};
-  if (const auto& curve = found.comparison.curve) all["tone_curve"] = components_of(*curve);
-  return all;
-}
-
-void print_json(const Options& options, const Found& found) {
-  const auto& differences = found.comparison.differences;
-  Json all{{"photo", options.photo},
-           {"render", options.render},
-           {"instant", almanac::utc_text(found.when)},
-           {"registration", as_json(found.comparison.registration)},
-           {"exposure", exposure_json(found)},
-           {"light", coding_json(found)},
-           {"bins", Json::array()},
-           {"disc", as_json(differences.back())}};
-  for (std::size_t i = 0; i + 1 < differences.size(); ++i)
-    all["bins"].push_back(as_json(differences[i]));
-  if (!options.output.empty()) all["file"] = options.output;
-  fmt::print("{}\n", all.dump(2));
-}
-
-/// Rows of a table: steps of distance, then the whole disc.
-void print_csv(const Found& found) {
-  auto rows = Json::array();
-  for (const auto& difference : found.comparison.differences) rows.push_back(as_json(difference));
-  fmt::print("{}", as_csv(rows));
 }
 
 std::string number_or_dash(const std::optional<double>& value, const char* format) {
@@ -227,9 +247,9 @@ void print_table(const Options& options, const Found& found) {
       is.mirrored ? ", mirrored" : "", registration.correlation);
   fmt::print("exposure {}: {:.4g} per cd/m2{}\n", found.exif ? "by the header" : "fitted",
              found.comparison.exposure,
-             found.exif
-                 ? fmt::format("; the fitted one differs by {:+.3f} stops", found.stops_of_fit())
-                 : "");
+             found.exif ? fmt::format("; the fitted one differs by {:+.3f} stops",
+                                      found.exposed().stops_of_fit())
+                        : "");
   fmt::print("tone curve: {}\n", coding_in_words(found));
   fmt::print("{:>15} {:>9} {:>8} {:>8}  {:>13}  {:>13} {:>8}\n", "axis [km]", "pixels", "clipped",
              "stops", "photo u' v'", "render u' v'", "dE2000");
@@ -280,9 +300,11 @@ void run(const Options& options) {
     if (const auto doubt = doubt_of(*curve); !doubt.empty())
       fmt::print(stderr, "coppermoon: {}\n", doubt);
   if (options.csv)
-    print_csv(found);
+    fmt::print("{}", result::as_csv(found.comparison.differences));
   else if (options.json)
-    print_json(options, found);
+    fmt::print(
+        "{}\n",
+        result::as_json(Document{options.photo, options.render, options.output, found}).dump(2));
   else
     print_table(options, found);
 }
@@ -330,7 +352,7 @@ void add_compare(Program& program) {
   add_described(verb, options->response, uses::describe_response);
   add_run_switch(verb, "--csv", options->csv,
                  "prints the steps of distance, and the disc, as CSV");
-  add_run_switch(verb, "--json", options->json, "prints one JSON document").not_beside({{"csv"}});
+  add_json_switch(verb, options->json, {result::fields_of<Document>}).not_beside({{"csv"}});
   on_run(verb, [options] { run(*options); });
 }
 

@@ -88,7 +88,7 @@ Json as_json(const Verb& verb) {
   for (const auto& parameter : verb.parameters) parameters.push_back(as_json(parameter));
   Json json{{"name", verb.name}, {"meaning", verb.help}, {"parameters", parameters}};
   for (const auto& document : verb.documents)
-    json["documents"].push_back(result::as_json(document));
+    json["documents"].push_back(result::as_json(document()));
   return json;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "algebra/error.h"
 #include "files/whole_file.h"
@@ -20,6 +19,7 @@
 #include "verbs/recipes/recipe_file.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
+#include "verbs/reports/report.h"
 
 namespace coppermoon::verbs {
 namespace of_develop {
@@ -180,24 +180,31 @@ void develop(const Options& options, const Job& job, const uses::Exposures& expo
                 job.picture);
 }
 
-nlohmann::ordered_json as_json(const Options& options, const std::vector<Job>& jobs,
-                               const uses::Exposures& exposures) {
-  const auto& [exposure, longer_s, a_cameras] = exposures;
-  nlohmann::ordered_json all;
-  if (jobs.size() == 1)
-    all["file"] = jobs.front().picture.string();
-  else
-    for (const auto& job : jobs) all["files"].push_back(job.picture.string());
-  all["colour_space"] = colour::name(jobs.front().space);
-  if (!a_cameras) {
-    all["white_cd_m2"] = whites_of(options, exposures);
-    return all;
-  }
-  all["time_s"] = exposure.time_s;
-  if (longer_s) all["longer_time_s"] = *longer_s;
-  all["f_number"] = exposure.f_number;
-  all["iso"] = exposure.iso;
-  return all;
+/// Pictures that were made, and how they were exposed.
+struct Developed {
+  std::vector<std::string> files;
+  std::string_view space;
+  std::vector<double> whites;
+  uses::Exposures exposures;
+};
+
+template <class Field>
+void describe(Field&& is, const Developed& made) {
+  namespace unit = algebra::unit;
+  const auto& [exposure, longer_s, a_cameras] = made.exposures;
+  const auto of_camera = [&](double value) {
+    return algebra::if_any(a_cameras ? std::optional(value) : std::nullopt);
+  };
+  is.a("Developed", "Pictures that were made, and how they were exposed.");
+  describe_files(is, made.files);
+  is("colour_space", made.space, "colour space of the frames");
+  is("white_cd_m2", algebra::if_any(a_cameras ? std::nullopt : std::optional(made.whites)),
+     unit::luminance, "luminances that become white, where no camera takes the picture");
+  is("time_s", of_camera(exposure.time_s), unit::seconds, "exposure time of a camera's picture");
+  is("longer_time_s", algebra::if_any(a_cameras ? longer_s : std::nullopt), unit::seconds,
+     "longer exposure time, of a composite");
+  is("f_number", of_camera(exposure.f_number), "f-number");
+  is("iso", of_camera(exposure.iso), "ISO speed");
 }
 
 void run(const Options& options) {
@@ -210,7 +217,10 @@ void run(const Options& options) {
     if (!options.json)
       fmt::print("{}: {}\n", one_line(jobs[j].picture.string()), in_words(options, exposures));
   }
-  if (options.json) fmt::print("{}\n", as_json(options, jobs, exposures).dump(2));
+  if (!options.json) return;
+  Developed made{{}, colour::name(jobs.front().space), whites_of(options, exposures), exposures};
+  for (const auto& job : jobs) made.files.push_back(job.picture.string());
+  fmt::print("{}\n", result::as_json(made).dump(2));
 }
 
 }  // namespace
@@ -240,7 +250,7 @@ void add_develop(Program& program) {
   add_described(verb, options->develop.caption, uses::describe_caption);
   add_described(verb, options->develop.camera);
   add_camera_file_options(verb, options->develop.camera);
-  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  add_json_switch(verb, options->json, {result::fields_of<Developed>});
   on_run(verb, [options] { run(*options); });
 }
 

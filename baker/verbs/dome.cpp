@@ -5,9 +5,7 @@
 
 #include <array>
 #include <memory>
-#include <nlohmann/json.hpp>
 
-#include "almanac/calendar.h"
 #include "eclipse/contacts.h"
 #include "files/endings.h"
 #include "files/memory.h"
@@ -18,6 +16,7 @@
 #include "verbs/flags/moon_options.h"
 #include "verbs/flags/named_files.h"
 #include "verbs/reports/progress_bar.h"
+#include "verbs/reports/report.h"
 
 namespace coppermoon::verbs {
 namespace of_dome {
@@ -53,15 +52,6 @@ void require_sound(const Options& options) {
   files::require_place_for(options.output);
 }
 
-void print_json(const Options& options, const almanac::SkyState& sky, const uses::Dome& dome) {
-  const auto calendar = options.moon.moment.calendar;
-  nlohmann::ordered_json all{{"file", options.output},
-                             {"instant", almanac::utc_text(sky.when, calendar)}};
-  say_calendar(all, calendar);
-  for (const auto& [name, value] : dome.figures) all[name] = value;
-  fmt::print("{}\n", all.dump(2));
-}
-
 void run(const Options& options) {
   require_sound(options);
   const auto request = dome_request(options);
@@ -78,8 +68,13 @@ void run(const Options& options) {
   }();
   const auto dome = uses::dome_over(request, lit, options.view);
   texture::write_exr(options.output, dome.light, dome.attributes, {type_of(request.content)});
-  if (options.json) return print_json(options, sky, dome);
-  for (const auto& [name, value] : dome.figures) fmt::print("{:<30}{:.6g}\n", name, value);
+  if (!options.json)
+    return fmt::print("{}", result::as_lines(result::as_json(dome.figures), "{:.6g}"));
+  const auto calendar = options.moon.moment.calendar;
+  auto document = result::as_json(MadeOf<uses::DomeFigures>{options.output, sky.when, dome.figures},
+                                  {calendar});
+  say_calendar(document, calendar);
+  fmt::print("{}\n", document.dump(2));
 }
 
 }  // namespace
@@ -105,7 +100,7 @@ void add_dome(Program& program) {
   add_described(verb, options->view, uses::describe_observer);
   add_described(verb, options->view, uses::describe_stars);
   add_described(verb, options->dome);
-  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  add_json_switch(verb, options->json, {result::fields_of<MadeOf<uses::DomeFigures>>});
   on_run(verb, [options] { run(*options); });
 }
 

@@ -4,13 +4,13 @@
 
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "algebra/error.h"
 #include "almanac/gazetteer.h"
 #include "files/name_to_share.h"
 #include "files/own_file.h"
 #include "files/whole_file.h"
+#include "result/as_json.h"
 #include "uses/explore/exploration.h"
 #include "uses/light/light_parameters.h"
 #include "uses/picture/local_time.h"
@@ -77,9 +77,34 @@ std::string options_shown(const Verb& verb) {
 
 std::string stamped(const std::string& page) { return files::stamped(page, "<!--", " -->"); }
 
-/// Returned  its file, title and size
-nlohmann::ordered_json write_page(const eclipse::Eclipse& eclipse, const Options& options,
-                                  const fs::path& file) {
+/// Page that was written.
+struct Page {
+  std::string file, title;
+  std::size_t bytes = 0;
+};
+
+template <class Field>
+void describe(Field&& is, const Page& page) {
+  is.a("Page", "A page that was written.");
+  is("file", page.file, "its file");
+  is("title", page.title, "its title");
+  is("bytes", page.bytes, algebra::unit::bytes, "its size");
+}
+
+/// List of pages, a page for each eclipse.
+struct Pages {
+  std::string file;
+  std::vector<Page> pages;
+};
+
+template <class Field>
+void describe(Field&& is, const Pages& all) {
+  is.a("Pages", "A list of pages, with --from and --to.");
+  is("file", all.file, "file of the list");
+  is("pages", all.pages, "the pages");
+}
+
+Page write_page(const eclipse::Eclipse& eclipse, const Options& options, const fs::path& file) {
   const auto exploration = [&] {
     ProgressBar bar("page");
     return uses::exploration_of(eclipse, options.request, bar.progress());
@@ -91,7 +116,7 @@ nlohmann::ordered_json write_page(const eclipse::Eclipse& eclipse, const Options
   if (!options.json)
     fmt::print("{}: {}, {:.1f} MB\n", one_line(file.string()), exploration.title,
                static_cast<double>(page.size()) / 1e6);
-  return {{"file", file.string()}, {"title", exploration.title}, {"bytes", page.size()}};
+  return {file.string(), exploration.title, page.size()};
 }
 
 std::string page_name(const eclipse::Eclipse& eclipse) {
@@ -99,7 +124,7 @@ std::string page_name(const eclipse::Eclipse& eclipse) {
   return when.substr(0, when.find('T')) + ".html";
 }
 
-nlohmann::ordered_json write_calendar(const Options& options) {
+Pages write_calendar(const Options& options) {
   const auto from = almanac::instant_from_utc(options.from, options.film.calendar),
              to = almanac::instant_from_utc(options.to, options.film.calendar);
   const auto eclipses = eclipse::eclipses_between(from, to, eclipse::ShadowConvention::danjon);
@@ -112,12 +137,12 @@ nlohmann::ordered_json write_calendar(const Options& options) {
   files::require_stamped(list);
   for (const auto& page : pages) files::require_stamped(folder / page);
   fs::create_directories(folder);
-  auto written = nlohmann::ordered_json::array();
+  Pages written{list.string(), {}};
   for (std::size_t i = 0; i < eclipses.size(); ++i)
-    written.push_back(write_page(eclipses[i], options, folder / pages[i]));
+    written.pages.push_back(write_page(eclipses[i], options, folder / pages[i]));
   files::write_whole(list, stamped(uses::calendar_page(eclipses, pages)));
   if (!options.json) fmt::print("{}: {} eclipses\n", one_line(list.string()), eclipses.size());
-  return {{"file", list.string()}, {"pages", written}};
+  return written;
 }
 
 void run(const Verb& verb, Options options) {
@@ -130,9 +155,10 @@ void run(const Verb& verb, Options options) {
     if (!named) say_whose_clocks(*request.observer);
     request.place = named ? named->name : "";
   }
-  const auto written = options.from.empty() ? write_page(eclipse_of(options.film, request.observer),
-                                                         options, options.output)
-                                            : write_calendar(options);
+  const auto written = options.from.empty()
+                           ? result::as_json(write_page(eclipse_of(options.film, request.observer),
+                                                        options, options.output))
+                           : result::as_json(write_calendar(options));
   if (options.json) fmt::print("{}\n", written.dump(2));
 }
 
@@ -163,7 +189,7 @@ void add_explore(Program& program) {
       .writes_file()
       .required();
   add_switch(verb, "--embed", options->embed, "writes the part of a page that stands in your own");
-  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  add_json_switch(verb, options->json, {result::fields_of<Page>, result::fields_of<Pages>});
   add_map_options(verb, options->request.moon);
   add_described(verb, options->request.moon.light.air);
   on_run(verb, [&verb, options] { run(verb, *options); });

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "colour/bracket.h"
 #include "files/whole_file.h"
+#include "result/as_json.h"
 #include "texture/write_image.h"
 #include "uses/picture/photo_file.h"
 #include "uses/picture/pixels.h"
@@ -22,6 +22,21 @@ struct Options {
   std::string output;
   bool json = false;
 };
+
+/// Photograph that was made of others.
+struct Merged {
+  std::string file;
+  std::size_t photographs = 0;
+  double share_valid = 0;
+};
+
+template <class Field>
+void describe(Field&& is, const Merged& merged) {
+  is.a("Merged", "A photograph of the scene's luminance, made of others.");
+  is("file", merged.file, "the file that was made");
+  is("photographs", merged.photographs, "number of photographs that it is made of");
+  is("share_valid", merged.share_valid, "share of the pixels within the photographs' range");
+}
 
 double share_valid(const colour::Bracketed& photograph) {
   double sum = 0;
@@ -40,15 +55,12 @@ void run(const Options& options) {
   texture::write_exr(options.output, uses::image_of(merged.scene_linear, merged.valid),
                      uses::scene_attributes(options.photographs.front()),
                      {.type = texture::ExrType::floating, .allow_negative = true});
-  const double valid = share_valid(merged);
+  const Merged made{options.output, photographs.size(), share_valid(merged)};
   if (options.json)
-    fmt::print("{}\n", nlohmann::ordered_json{{"file", options.output},
-                                              {"photographs", photographs.size()},
-                                              {"share_valid", valid}}
-                           .dump(2));
+    fmt::print("{}\n", result::as_json(made).dump(2));
   else
     fmt::print("{}: {} photographs, {:.1f} % of the pixels within their range\n",
-               one_line(options.output), photographs.size(), 100 * valid);
+               one_line(made.file), made.photographs, 100 * made.share_valid);
 }
 
 }  // namespace
@@ -67,7 +79,7 @@ void add_merge(Program& program) {
   add_flag(verb, "-o,--output", options->output, "scene-linear [cd/m2], .exr")
       .writes_file()
       .required();
-  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  add_json_switch(verb, options->json, {result::fields_of<Merged>});
   on_run(verb, [options] { run(*options); });
 }
 

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "algebra/error.h"
 #include "almanac/calendar.h"
 #include "almanac/gazetteer.h"
 #include "files/whole_file.h"
+#include "result/as_json.h"
 #include "uses/film/film_times.h"
 #include "uses/night/calendar_file.h"
 #include "uses/night/night_light.h"
@@ -46,9 +46,9 @@ struct Options {
 /// Night of an eclipse at one place: what the command prints.
 struct NightReport {
   uses::NightLights lights;
-  almanac::City city;  ///< the place, or the nearest one
-  bool own_clocks;     ///< the place is that city
-  std::string zone;    ///< time zone of the local times
+  almanac::City city;       ///< the place, or the nearest one
+  bool own_clocks = false;  ///< the place is that city
+  std::string zone;         ///< time zone of the local times
 
   const uses::Circumstances& circumstances() const { return lights.night; }
 };
@@ -122,9 +122,9 @@ void print_moments(const NightReport& night) {
 }
 
 /// Phases of an eclipse and how long they last [s], then how long it is seen.
-std::vector<std::pair<const char*, double>> durations(const uses::Circumstances& night) {
+algebra::ByName<double> durations(const uses::Circumstances& night) {
   const auto& c = night.eclipse.contacts;
-  std::vector<std::pair<const char*, double>> all;
+  algebra::ByName<double> all;
   const auto add = [&](const char* name, const auto& from, const auto& to) {
     if (from && to) all.emplace_back(name, almanac::seconds_between(*from, *to));
   };
@@ -187,95 +187,99 @@ void print(const NightReport& night) {
   print_exposures(night);
 }
 
-nlohmann::ordered_json or_null(const std::optional<double>& number) {
-  return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json();
+/// Moment of a night as documents have it.
+struct MomentRow {
+  uses::NightMoment moment;
+  uses::LocalTime local;
+  almanac::Calendar calendar = almanac::Calendar::gregorian;
+  bool seen = false;
+  std::optional<uses::NightLight> light;  ///< none of a moonrise or moonset
+};
+
+template <class Field>
+void describe(Field&& is, const MomentRow& row) {
+  namespace unit = algebra::unit;
+  const auto& [moment, local, calendar, seen, light] = row;
+  const auto of_light = [&](auto value) {
+    return algebra::if_any(light ? std::optional(value(*light)) : std::nullopt);
+  };
+  using Light = uses::NightLight;
+  is.a("Moment", "A contact, moonrise or moonset, the greatest phase, or the first or last seen.");
+  is("name", moment.name, "its name");
+  is("utc", moment.when, "the moment, UTC");
+  is(
+      "local", [&] { return almanac::date_in(calendar, local.date) + "T" + local.time; },
+      "the same on local clocks");
+  is("zone", local.abbreviation, "abbreviation of their time zone");
+  is("altitude_deg", moment.moon.altitude, unit::degrees, "altitude of the Moon, with refraction");
+  is("azimuth_deg", moment.moon.azimuth, unit::degrees,
+     "azimuth of the Moon, from north through east");
+  is("up", moment.up, "whether some of the Moon is above the horizon");
+  is("seen", seen, "whether the Moon stands out from its sky");
+  is("sun_altitude_deg", moment.sun_altitude, unit::degrees,
+     "altitude of the Sun, without refraction");
+  is("twilight", uses::twilight_name(moment.sun_altitude), "light of the sky by that altitude");
+  is("position_angle_deg", algebra::if_any(algebra::in_degrees(moment.position_angle)),
+     unit::degrees, "place of a contact at the Moon's limb, from celestial north through east");
+  is("V_magnitude", of_light([](const Light& one) { return one.V_magnitude; }), unit::mag,
+     "V magnitude of the whole Moon, above the air");
+  is("mean_luminance_cd_m2", of_light([](const Light& one) { return one.mean_luminance_cd_m2; }),
+     unit::luminance, "luminance, the mean over the disc, above the air");
+  is("faintest_star", of_light([](const Light& one) { return one.faintest_star; }), unit::mag,
+     "V magnitude of the faintest star to the naked eye");
+  is("sky_cd_m2", of_light([](const Light& one) { return one.sky_cd_m2; }), unit::luminance,
+     "luminance of the sky at the Moon; none of a Moon that is not up");
 }
 
-/// Adds a part's time, its range by the error of the forecast, and what is missing where it would trail.
-void add_part(nlohmann::ordered_json& row, const std::string& name,
-              const std::optional<uses::PartExposure>& part) {
-  row[name + "_s"] = part ? nlohmann::ordered_json(part->time_s) : nlohmann::ordered_json();
-  if (!part) return;
-  row[name + "_range_s"] = {part->least_s, part->most_s};
-  if (part->stops_under > 0) row[name + "_stops_under"] = part->stops_under;
+std::vector<MomentRow> rows_of(const NightReport& night) {
+  const auto& all = night.circumstances();
+  std::vector<MomentRow> rows;
+  for (const auto& moment : all.moments) {
+    rows.push_back({moment,
+                    uses::local_time(moment.when, night.zone),
+                    all.eclipse.calendar,
+                    is_seen(all, moment.when),
+                    {}});
+    if (const auto* light = light_of(night, moment.name)) rows.back().light = *light;
+  }
+  return rows;
 }
 
-nlohmann::ordered_json as_json(const NightReport& night) {
-  const auto& place = night.circumstances().place;
+template <class Field>
+void describe(Field&& is, const NightReport& night) {
+  namespace unit = algebra::unit;
+  const auto& all = night.circumstances();
+  is.a("Night", "The night of an eclipse at a place.");
+  is(
+      "eclipse", [&] { return title(all.eclipse); }, "the eclipse");
+  is(
+      "at", [&] { return uses::place_text(all.place); },
+      "the place: latitude, longitude, elevation");
+  is("time_zone", night.zone, "time zone of the local times");
+  is(
+      "seen", [&] { return what_is_seen(all); }, "sentence about how much of the eclipse is seen");
+  is("f_number", night.lights.f_number, "f-number of the exposures");
+  is("iso", night.lights.iso, "ISO speed of the exposures");
+  is("V_error", night.lights.V_error, unit::mag, "standard error of V in totality");
+  is(
+      "durations_s", [&] { return durations(all); }, unit::seconds,
+      "for how long, by phase: penumbral, partial, total, seen");
+  is(
+      "moments", [&] { return rows_of(night); }, "the moments, in order of time");
+  is("exposures", night.lights.exposures, "exposure times for phases of the eclipse");
+  is("trailing_s", algebra::if_any(night.lights.trailing_s), unit::seconds,
+     "time in which the Moon trails by two pixels, where a focal length is given");
+}
+
+result::Json as_json(const NightReport& night) {
   const auto calendar = night.circumstances().eclipse.calendar;
-  nlohmann::ordered_json all{{"eclipse", title(night.circumstances().eclipse)},
-                             {"at", uses::place_text(place)},
-                             {"time_zone", night.zone},
-                             {"seen", what_is_seen(night.circumstances())},
-                             {"f_number", night.lights.f_number},
-                             {"iso", night.lights.iso},
-                             {"V_error", or_null(night.lights.V_error)},
-                             {"durations_s", nlohmann::ordered_json::object()},
-                             {"moments", nlohmann::ordered_json::array()},
-                             {"exposures", nlohmann::ordered_json::array()}};
+  auto all = result::as_json(night, {calendar});
   say_calendar(all, calendar);
-  for (const auto& [name, seconds] : durations(night.circumstances()))
-    all["durations_s"][name] = seconds;
-  for (const auto& moment : night.circumstances().moments) {
-    const auto local = uses::local_time(moment.when, night.zone);
-    nlohmann::ordered_json row{{"name", moment.name},
-                               {"utc", almanac::utc_text(moment.when, calendar)},
-                               {"local", almanac::date_in(calendar, local.date) + "T" + local.time},
-                               {"zone", local.abbreviation},
-                               {"altitude_deg", algebra::in_degrees(moment.moon.altitude)},
-                               {"azimuth_deg", algebra::in_degrees(moment.moon.azimuth)},
-                               {"up", moment.up},
-                               {"seen", is_seen(night.circumstances(), moment.when)},
-                               {"sun_altitude_deg", algebra::in_degrees(moment.sun_altitude)},
-                               {"twilight", uses::twilight_name(moment.sun_altitude)}};
-    if (moment.position_angle)
-      row["position_angle_deg"] = algebra::in_degrees(*moment.position_angle);
-    if (const auto* light = light_of(night, moment.name)) {
-      row["V_magnitude"] = light->V_magnitude;
-      row["mean_luminance_cd_m2"] = light->mean_luminance_cd_m2;
-      row["faintest_star"] = or_null(light->faintest_star);
-      row["sky_cd_m2"] = or_null(light->sky_cd_m2);
-    }
-    all["moments"].push_back(row);
-  }
-  for (const auto& phase : night.lights.exposures) {
-    nlohmann::ordered_json row{{"phase", phase.phase},
-                               {"utc", almanac::utc_text(phase.when, calendar)},
-                               {"seen", phase.seen},
-                               {"sky_over_moon", phase.sky_over_moon},
-                               {"by_sky", phase.by_sky}};
-    add_part(row, "lit", phase.lit);
-    add_part(row, "umbra", phase.shadow);
-    if (phase.too_dark) row["too_dark"] = true;
-    all["exposures"].push_back(row);
-  }
-  if (night.lights.trailing_s) all["trailing_s"] = *night.lights.trailing_s;
   return all;
 }
 
 std::string as_csv(const NightReport& night) {
-  const auto document = as_json(night);
-  std::string text =
-      "moment,utc,local,zone,altitude_deg,azimuth_deg,up,V_magnitude,mean_luminance_cd_m2,"
-      "faintest_star,seen,sun_altitude_deg,twilight,position_angle_deg\n";
-  for (const auto& row : document["moments"]) {
-    text += fmt::format("{},{},{},{},{:.3f},{:.3f},{}", row["name"].get<std::string>(),
-                        row["utc"].get<std::string>(), row["local"].get<std::string>(),
-                        row["zone"].get<std::string>(), row["altitude_deg"].get<double>(),
-                        row["azimuth_deg"].get<double>(), row["up"].get<bool>() ? "yes" : "no");
-    const auto number = [&](const char* key, const char* form) {
-      const auto found = row.find(key);
-      return found == row.end() || found->is_null()
-                 ? std::string()
-                 : fmt::format(fmt::runtime(form), found->template get<double>());
-    };
-    text +=
-        fmt::format(",{},{},{},{},{:.3f},{},{}\n", number("V_magnitude", "{:.3f}"),
-                    number("mean_luminance_cd_m2", "{:.6g}"), number("faintest_star", "{:.2f}"),
-                    row["seen"].get<bool>() ? "yes" : "no", row["sun_altitude_deg"].get<double>(),
-                    row["twilight"].get<std::string>(), number("position_angle_deg", "{:.2f}"));
-  }
-  return text;
+  return result::as_csv(rows_of(night), {night.circumstances().eclipse.calendar});
 }
 
 const Writers<NightReport>& writers() {
@@ -377,7 +381,7 @@ void add_night(Program& program) {
            "than two pixels, the camera's or 4 um wide, as where no mount follows it")
       .within(1, 1e6);
   add_run_switch(verb, "--csv", options->csv, "prints the moments as CSV").not_beside({{"json"}});
-  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  add_json_switch(verb, options->json, {result::fields_of<NightReport>});
   add_map_options(verb, options->moon.request);
   add_light_options(verb, options->moon.light);
   add_described(verb, options->develop, uses::describe_but_time);

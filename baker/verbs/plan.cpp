@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "almanac/instant.h"
@@ -35,7 +34,7 @@ bool of_a_picture(const Verb& verb) {
 /// Plan, and the sizes that it is made for.
 struct Planned {
   plan::Plan plan;
-  std::size_t texture_width;
+  std::size_t texture_width = 0;
   std::optional<double> frame_bytes;  ///< memory for a picture's frame
   std::vector<std::string> picture_left_out;
 };
@@ -58,6 +57,22 @@ Planned planned(const Options& options, bool picture) {
     result.plan =
         uses::planned_light(moon.light, sky, {picture ? texels / 2 : texels, reads_map(moon)});
   return result;
+}
+
+/// Plan, and the recipe by which it is carried out.
+struct Document {
+  std::string recipe;
+  Planned planned;
+};
+
+template <class Field>
+void describe(Field&& is, const Document& document) {
+  is.a("Document", "What a texture or a picture requires, and what it will cost.");
+  is(
+      "chosen", [&] { return as_json(document.recipe); }, "recipe of the work that is planned");
+  describe(is, document.planned.plan);
+  is("frame_bytes", algebra::if_any(document.planned.frame_bytes), algebra::unit::bytes,
+     "memory for a picture's frame");
 }
 
 void print(const Planned& all) {
@@ -97,9 +112,7 @@ void run(const Verb& verb, const Options& options) {
   if (!options.json) return print(all);
   auto recipe = request::recipe_of(verb.parameters);
   if (!options.moon.request.texture_width) recipe = uses::with_width(recipe, all.texture_width);
-  nlohmann::ordered_json json{{"chosen", as_json(text_of(uses::with_work(recipe, all.plan.work)))}};
-  json.update(as_json(all.plan));
-  if (all.frame_bytes) json["frame_bytes"] = *all.frame_bytes;
+  auto json = result::as_json(Document{text_of(uses::with_work(recipe, all.plan.work)), all});
   for (const auto& text : all.picture_left_out)
     json["left_out"].push_back({{"term", text}, {"size", nullptr}});
   fmt::print("{}\n", json.dump(2));
@@ -116,7 +129,7 @@ void add_plan(Program& program) {
   const auto options = std::make_shared<Options>();
   add_moon_options(verb, options->moon);
   add_described(verb, options->view);
-  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  add_json_switch(verb, options->json, {result::fields_of<Document>});
   on_run(verb, [&verb, options] { run(verb, *options); });
 }
 

@@ -3,10 +3,8 @@
 
 #include <array>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
-#include "almanac/calendar.h"
 #include "files/endings.h"
 #include "files/whole_file.h"
 #include "texture/write_image.h"
@@ -18,6 +16,7 @@
 #include "verbs/flags/light_options.h"
 #include "verbs/flags/moments.h"
 #include "verbs/flags/named_files.h"
+#include "verbs/reports/report.h"
 
 namespace coppermoon::verbs {
 namespace of_ring {
@@ -40,16 +39,6 @@ void require_sound(const Options& options) {
   files::require_place_for(options.output);
 }
 
-void print_json(const Options& options, const almanac::SkyState& sky,
-                const uses::RingStrip& strip) {
-  const auto calendar = options.moment.calendar;
-  nlohmann::ordered_json all{{"file", options.output},
-                             {"instant", almanac::utc_text(sky.when, calendar)}};
-  say_calendar(all, calendar);
-  for (const auto& [name, value] : strip.figures) all[name] = value;
-  fmt::print("{}\n", all.dump(2));
-}
-
 void run(const Verb& verb, const Options& options) {
   require_sound(options);
   say_space_of(options.output, uses::picture_space);
@@ -59,8 +48,13 @@ void run(const Verb& verb, const Options& options) {
   say_unless_danjon_is_reached(options.light.air, sky);
   strip.attributes["coppermoon:recipe"] = recipe_of(verb);
   texture::write_exr(options.output, strip.light, strip.attributes, {texture::ExrType::floating});
-  if (options.json) return print_json(options, sky, strip);
-  for (const auto& [name, value] : strip.figures) fmt::print("{:<30}{:.6f}\n", name, value);
+  if (!options.json)
+    return fmt::print("{}", result::as_lines(result::as_json(strip.figures), "{:.6f}"));
+  const auto calendar = options.moment.calendar;
+  auto document = result::as_json(
+      MadeOf<uses::RingFigures>{options.output, sky.when, strip.figures}, {calendar});
+  say_calendar(document, calendar);
+  fmt::print("{}\n", document.dump(2));
 }
 
 }  // namespace
@@ -87,7 +81,7 @@ void add_ring(Program& program) {
   add_flag(verb, "--scale", options->scale,
            "factor on luminance in cd/m², 1e-9 to 1e9; POV-Ray reads no more than 65504")
       .within(1e-9, 1e9);
-  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  add_json_switch(verb, options->json, {result::fields_of<MadeOf<uses::RingFigures>>});
   add_described(verb, options->light.air);
   on_run(verb, [&verb, options] { run(verb, *options); });
 }

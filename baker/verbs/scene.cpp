@@ -64,7 +64,7 @@ void add_scene(Program& program) {
              "renderer of the scene: povray, or mitsuba (Mitsuba 3: eclipse.xml, which "
              "`mitsuba -m scalar_rgb -o frame.exr eclipse.xml` renders)");
   verb.parameters.find("sky")->not_beside({{"for", {"mitsuba"}}});
-  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  add_json_switch(verb, options->json, {result::fields_of<Report>});
   on_run(verb, [&verb, options] { run(verb, *options); });
 }
 

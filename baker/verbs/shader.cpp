@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "algebra/error.h"
 #include "eclipse/moment.h"
@@ -38,6 +37,22 @@ struct Options {
   bool json = false;
 };
 
+/// Folder of shaders.
+struct Made {
+  std::string folder;
+  std::vector<std::string> files;
+  double seconds = 0, error = 0;
+};
+
+template <class Field>
+void describe(Field&& is, const Made& made) {
+  is.a("Made", "A folder of shaders.");
+  is("folder", made.folder, "the folder");
+  is("files", made.files, "the files in it");
+  is("seconds", made.seconds, algebra::unit::seconds, "time that it took");
+  is("error", made.error, "relative error of the light, the largest");
+}
+
 void run(const Verb& verb, Options options) {
   const fs::path folder = options.output;
   if (fs::exists(folder) && !fs::is_directory(folder))
@@ -57,16 +72,14 @@ void run(const Verb& verb, Options options) {
     ProgressBar bar("light");
     return uses::eclipse_shader(eclipse, options.request, bar.progress(), moment);
   }();
-  const auto files = uses::write_shader(folder, shader, options.request, recipe_of(verb));
+  const Made made{options.output,
+                  uses::write_shader(folder, shader, options.request, recipe_of(verb)),
+                  seconds_since(start), shader.strip.error};
   if (options.json)
-    fmt::print("{}\n", nlohmann::ordered_json{{"folder", options.output},
-                                              {"files", files},
-                                              {"seconds", seconds_since(start)},
-                                              {"error", shader.strip.error}}
-                           .dump(2));
+    fmt::print("{}\n", result::as_json(made).dump(2));
   else
-    fmt::print("{}: {}; {}\n", one_line(options.output), fmt::join(files, ", "),
-               within(shader.strip.error));
+    fmt::print("{}: {}; {}\n", one_line(options.output), fmt::join(made.files, ", "),
+               within(made.error));
 }
 
 }  // namespace
@@ -88,7 +101,7 @@ void add_shader(Program& program) {
       .required();
   add_choice(verb, "--space", options->request.space, spaces,
              "colour space of the light: lin_rec709, acescg or lin_ciexyzd65_scene");
-  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  add_json_switch(verb, options->json, {result::fields_of<Made>});
   add_light_options(verb, options->light);
   add_described(verb, options->request.response, uses::describe_response);
   on_run(verb, [&verb, options] { run(verb, *options); });

@@ -3,14 +3,13 @@
 
 #include <chrono>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "algebra/error.h"
 #include "algebra/number.h"
 #include "almanac/calendar.h"
 #include "eclipse/shadow_axis.h"
-#include "files/endings.h"
 #include "files/whole_file.h"
+#include "result/as_json.h"
 #include "uses/light/shadow_profile.h"
 #include "uses/picture/plots.h"
 #include "uses/plot/plot.h"
@@ -20,6 +19,7 @@
 #include "verbs/reports/one_line.h"
 #include "verbs/reports/progress_bar.h"
 #include "verbs/reports/report.h"
+#include "verbs/reports/writers.h"
 
 namespace coppermoon::verbs {
 namespace of_shadow {
@@ -79,79 +79,57 @@ uses::ProfilePlaces places_of(const Options& options) {
   return places;
 }
 
-nlohmann::ordered_json rows_of(const algebra::Grid<double>& grid) {
-  auto rows = nlohmann::ordered_json::array();
-  for (std::size_t r = 0; r < grid.rows(); ++r)
-    rows.push_back(std::vector<double>(grid.row(r).begin(), grid.row(r).end()));
-  return rows;
-}
-
-std::vector<double> in_kilometres(const std::vector<double>& metres) {
-  std::vector<double> kilometres;
-  for (const double m : metres) kilometres.push_back(m / 1e3);
-  return kilometres;
-}
-
-std::string as_csv(const uses::ShadowProfile& result) {
+std::string as_csv(const uses::ShadowProfile& profile) {
   std::string text = "axis_distance_km";
-  for (const double nm : result.wavelengths_nm)
+  for (const double nm : profile.wavelengths_nm)
     text += fmt::format(",irradiance_ratio_{:g}nm,standard_error_{:g}nm", nm, nm);
   text += '\n';
-  for (std::size_t d = 0; d < result.axis_distances_m.size(); ++d) {
-    text += fmt::format("{:g}", result.axis_distances_m[d] / 1e3);
-    for (std::size_t w = 0; w < result.wavelengths_nm.size(); ++w)
-      text += fmt::format(",{:.6g},{:.3g}", result.ratio(d, w), result.standard_error(d, w));
+  for (std::size_t d = 0; d < profile.axis_distances_m.size(); ++d) {
+    text += fmt::format("{:g}", profile.axis_distances_m[d] / 1e3);
+    for (std::size_t w = 0; w < profile.wavelengths_nm.size(); ++w)
+      text += fmt::format(",{:.6g},{:.3g}", profile.ratio(d, w), profile.standard_error(d, w));
     text += '\n';
   }
   return text;
 }
 
-nlohmann::ordered_json as_json(const uses::ShadowProfile& result, const uses::LightRequest& light,
-                               const shadow::Arrangement& arrangement) {
-  return {{"moon_distance_km", arrangement.depths_m[0] / 1e3},
-          {"sun_distance_km", arrangement.sun_distance_m / 1e3},
-          {"solver", plan::traces_photons(light.solver) ? "photons" : "quadrature"},
-          {"wavelengths_nm", result.wavelengths_nm},
-          {"axis_distance_km", in_kilometres(result.axis_distances_m)},
-          {"irradiance_ratio", rows_of(result.ratio)},
-          {"standard_error", rows_of(result.standard_error)}};
-}
-
 /// Profile of the shadow, as a file of any format has it.
 struct Profile {
-  const uses::ShadowProfile& result;
-  const nlohmann::ordered_json& document;
-  const uses::ShadowMarks& marks;
+  double moon_distance_km = 0, sun_distance_km = 0;
+  std::string_view solver = "quadrature";
+  uses::ShadowProfile light;
+  uses::ShadowMarks marks;
 };
 
-struct Format : files::Ending {
-  void (*write)(const std::filesystem::path& file, const Profile& profile);
-};
-
-void write_csv(const std::filesystem::path& file, const Profile& profile) {
-  files::write_whole(file, as_csv(profile.result));
-}
-
-void write_json(const std::filesystem::path& file, const Profile& profile) {
-  files::write_whole(file, profile.document.dump(2) + "\n");
-}
-
-void write_plot(const std::filesystem::path& file, const Profile& profile) {
-  uses::write_shadow_plot(file, profile.result, profile.marks);
+template <class Field>
+void describe(Field&& is, const Profile& profile) {
+  namespace unit = algebra::unit;
+  is.a("Profile", "Light across the Earth's shadow.");
+  is("moon_distance_km", profile.moon_distance_km, unit::kilometres,
+     "distance of the cut from the Earth's centre, along the shadow's axis");
+  is("sun_distance_km", profile.sun_distance_km, unit::kilometres, "distance of the Sun");
+  is("solver", algebra::Word{profile.solver, {"quadrature", "photons"}}, "how light was computed");
+  describe(is, profile.light);
 }
 
 /// Tables, then plots.
-std::vector<Format> formats() {
-  std::vector<Format> all{{{".csv", "numbers"}, write_csv}, {{".json", "numbers"}, write_json}};
-  for (const auto& plot : uses::plot_files()) all.push_back({plot, write_plot});
+const Writers<Profile>& writers() {
+  using File = std::filesystem::path;
+  static const Writers<Profile> all = [] {
+    Writers<Profile> formats{{{".csv", "numbers"},
+                              [](const Profile& profile, const File& file) {
+                                files::write_whole(file, as_csv(profile.light));
+                              }},
+                             {{".json", "numbers"}, [](const Profile& profile, const File& file) {
+                                files::write_whole(file, result::as_json(profile).dump(2) + "\n");
+                              }}};
+    for (const auto& plot : uses::plot_files())
+      formats.push_back({plot, [](const Profile& profile, const File& file) {
+                           uses::write_shadow_plot(file, profile.light, profile.marks);
+                         }});
+    return formats;
+  }();
   return all;
-}
-
-void require_sound(const Options& options) {
-  for (const std::filesystem::path file : options.outputs) {
-    files::format_of(file, formats(), "a profile of the shadow");
-    files::require_place_for(file);
-  }
 }
 
 /// Title of a plot: moment and distance; below them the air.
@@ -166,29 +144,31 @@ std::string title_of(const Cut& cut, const std::string& air, almanac::Calendar c
 void make_profile(const Options& options, const Cut& cut, const uses::ShadowCut& shadow,
                   const uses::LightRequest& light, const std::string& air_in_words) {
   const auto start = std::chrono::steady_clock::now();
-  const auto result = [&] {
+  auto found = [&] {
     ProgressBar bar("light");
     return uses::shadow_profile(light, shadow, places_of(options), bar.progress());
   }();
-  auto document = as_json(result, light, shadow.arrangement);
-  const auto marks = uses::marks_of(shadow.arrangement, cut.sky,
-                                    title_of(cut, air_in_words, options.moment.calendar));
-  for (const auto& file : options.outputs)
-    files::format_of(file, formats(), "a profile").write(file, {result, document, marks});
+  const auto& arrangement = shadow.arrangement;
+  const Profile profile{
+      arrangement.depths_m[0] / 1e3, arrangement.sun_distance_m / 1e3,
+      plan::traces_photons(light.solver) ? "photons" : "quadrature", std::move(found),
+      uses::marks_of(arrangement, cut.sky, title_of(cut, air_in_words, options.moment.calendar))};
+  write_files(profile, options.outputs, writers());
   if (options.json) {
+    auto document = result::as_json(profile);
     if (!options.outputs.empty()) document["files"] = options.outputs;
     document["seconds"] = seconds_since(start);
     return fmt::print("{}\n", document.dump(2));
   }
-  if (options.outputs.empty()) return fmt::print("{}", as_csv(result));
+  if (options.outputs.empty()) return fmt::print("{}", as_csv(profile.light));
   for (const auto& file : options.outputs)
     fmt::print("{}: {} distances to {:g} km, {} wavelengths\n", one_line(file),
-               result.axis_distances_m.size(), result.axis_distances_m.back() / 1e3,
-               result.wavelengths_nm.size());
+               profile.light.axis_distances_m.size(), profile.light.axis_distances_m.back() / 1e3,
+               profile.light.wavelengths_nm.size());
 }
 
 void run(const Verb& verb, const Options& options) {
-  require_sound(options);
+  require_writers(options.outputs, writers(), "a profile of the shadow");
   const auto cut = cut_of(options);
   const auto light = light_request(options.light);
   auto air = cut.sky ? uses::shadow_at_the_moon(light, *cut.sky).air
@@ -223,9 +203,9 @@ void add_shadow(Program& program) {
            "default: the mean over all angles")
       .within(0, 360);
   add_flag(verb, "-o,--output", options->outputs,
-           "file in place of stdout: " + files::in_words(formats()) + ". May be given again")
-      .writes_file(formats());
-  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+           "file in place of stdout: " + files::in_words(writers()) + ". May be given again")
+      .writes_file(writers());
+  add_json_switch(verb, options->json, {result::fields_of<Profile>});
   add_light_options(verb, options->light);
   add_photon_file_options(verb, options->light);
   auto& all = verb.parameters;

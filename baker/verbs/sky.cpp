@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <array>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "algebra/error.h"
-#include "almanac/calendar.h"
-#include "eclipse/sky_columns.h"
+#include "eclipse/seen_sky.h"
+#include "result/as_json.h"
 #include "uses/picture/place_text.h"
 #include "uses/picture/sky_lights.h"
 #include "uses/picture/view.h"
@@ -25,51 +25,61 @@ struct Options {
   bool json = false;
 };
 
-template <class Result>
-void add(nlohmann::ordered_json& all, const std::vector<algebra::Column<Result>>& columns,
-         const Result& result) {
-  for (const auto& column : columns) all[column.name] = column.value(result);
+/// A star or planet in an observer's sky.
+struct Star {
+  povray_scenes::HorizonPlace place;
+  std::array<double, 3> illuminance_lux{};
+};
+
+template <class Field>
+void describe(Field&& is, const Star& star) {
+  namespace unit = algebra::unit;
+  is.a("Star", "A star or planet in an observer's sky.");
+  is("altitude_deg", star.place.altitude, unit::degrees, "altitude, raised by refraction");
+  is("azimuth_deg", star.place.azimuth, unit::degrees, "azimuth, from north through east");
+  is("illuminance_lux", star.illuminance_lux, unit::illuminance, "illuminance, in linear Rec.709");
 }
 
-/// Adds the stars' places as an observer's air raises them.
-void add_stars(nlohmann::ordered_json& all, const almanac::Observer& observer, double faintest,
-               const almanac::SkyState& sky) {
-  all["observer_latitude_deg"] = in_degrees(observer.latitude);
-  all["stars"] = nlohmann::json::array();
-  const auto view =
-      uses::view_of({.observer = observer, .stars = {.shown = true, .faintest = faintest}}, sky);
-  for (const auto& star : uses::lights_over(view, sky))
-    all["stars"].push_back({{"altitude_deg", in_degrees(star.place.altitude)},
-                            {"azimuth_deg", in_degrees(star.place.azimuth)},
-                            {"illuminance_lux", star.illuminance_lux}});
+/// Sky of a moment, and the stars that are asked for.
+struct Document {
+  eclipse::SeenSky sky;
+  std::optional<algebra::Angle> latitude;  ///< of the observer, where stars are asked for
+  std::vector<Star> stars;
+};
+
+template <class Field>
+void describe(Field&& is, const Document& all) {
+  is.a("Document", "Sun, Moon and shadow, and how the Moon is turned.");
+  describe(is, all.sky);
+  is("observer_latitude_deg", algebra::if_any(all.latitude), algebra::unit::degrees,
+     "latitude of the observer, with --stars");
+  is("stars", algebra::if_any(all.latitude ? std::optional(all.stars) : std::nullopt),
+     "stars and planets above the horizon, with --stars");
 }
 
-nlohmann::ordered_json described(const Options& options) {
+Document document_of(const Options& options) {
   std::optional<almanac::Observer> observer;
   if (!options.at.empty()) observer = uses::observer_from(options.at);
-  const auto sky = almanac::sky_at(instant_of(options.moment, observer));
-  const auto calendar = options.moment.calendar;
-  nlohmann::ordered_json all{{"instant", almanac::utc_text(sky.when, calendar, 3)}};
-  add(all, eclipse::sky_columns(), sky);
-  say_calendar(all, calendar);
+  Document all{{almanac::sky_at(instant_of(options.moment, observer)), {}}, {}, {}};
   if (!observer) return all;
-  add(all, eclipse::view_columns(), almanac::view_from(*observer, sky));
-  if (options.faintest_star) add_stars(all, *observer, *options.faintest_star, sky);
+  const auto& sky = all.sky.sky;
+  all.sky.view = almanac::view_from(*observer, sky);
+  if (!options.faintest_star) return all;
+  all.latitude = observer->latitude;
+  const auto view = uses::view_of(
+      {.observer = *observer, .stars = {.shown = true, .faintest = *options.faintest_star}}, sky);
+  for (const auto& star : uses::lights_over(view, sky))
+    all.stars.push_back({star.place, star.illuminance_lux});
   return all;
 }
 
 void run(const Options& options) {
   if (options.faintest_star && (options.at.empty() || !options.json))
     throw algebra::Error("stars are listed with --at and --json");
-  const auto all = described(options);
-  if (options.json) {
-    fmt::print("{}\n", all.dump(2));
-    return;
-  }
-  for (const auto& [key, value] : all.items())
-    fmt::print(
-        "{:<30}{}\n", key,
-        value.is_number() ? fmt::format("{:.6f}", value.get<double>()) : value.get<std::string>());
+  const auto calendar = options.moment.calendar;
+  auto all = result::as_json(document_of(options), {.calendar = calendar, .decimals = 3});
+  say_calendar(all, calendar);
+  fmt::print("{}", options.json ? all.dump(2) + "\n" : result::as_lines(all, "{:.6f}"));
 }
 
 }  // namespace
@@ -88,7 +98,7 @@ void add_sky(Program& program) {
            "V magnitude, -5 to 20: lists stars and planets to it; illuminance in linear Rec.709")
       .within(-5, 20)
       .of(request::Affects::run);
-  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  add_json_switch(verb, options->json, {result::fields_of<Document>});
   on_run(verb, [options] { run(*options); });
 }
 

@@ -126,7 +126,7 @@ void add_still(Program& program) {
   add_described(verb, options->passes, uses::describe_passes);
   for (const char* of_frame : {"space", "passes"})
     verb.parameters.find(of_frame)->only_with({{"frame"}});
-  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  add_json_switch(verb, options->json, {result::fields_of<Report>});
   on_run(verb, [&verb, options] { run(verb, *options); });
 }
 

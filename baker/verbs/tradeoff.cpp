@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "algebra/error.h"
@@ -12,15 +11,16 @@
 #include "almanac/sky.h"
 #include "files/own_file.h"
 #include "files/whole_file.h"
+#include "result/as_json.h"
 #include "uses/light/light_parameters.h"
 #include "uses/plot/plot.h"
 #include "uses/tradeoff/runs.h"
 #include "uses/tradeoff/sweeps.h"
+#include "uses/tradeoff/tradeoff_files.h"
 #include "uses/tradeoff/yardstick.h"
 #include "verbs/command_line.h"
 #include "verbs/reports/one_line.h"
 #include "verbs/reports/progress_bar.h"
-#include "verbs/reports/tradeoff_files.h"
 
 namespace coppermoon::verbs {
 namespace of_tradeoff {
@@ -82,7 +82,7 @@ std::string document(const Options& options, const ReferenceSettings& reference,
 
 void write_files(const std::filesystem::path& folder, const Options& options,
                  const ReferenceSettings& reference, std::span<const Measured> all) {
-  files::write_whole(folder / "tradeoff.csv", as_csv(all));
+  files::write_whole(folder / "tradeoff.csv", result::as_csv(all));
   files::write_whole(folder / "tradeoff.md", document(options, reference, all));
   uses::write_plot(folder / "tradeoff.svg", as_plot(all));
 }
@@ -136,7 +136,7 @@ void run(const Options& options) {
   }();
   write_folder(options, reference, all);
   if (options.json)
-    fmt::print("{}\n", as_json(all).dump(2));
+    fmt::print("{}\n", result::json_of(all, {}).dump(2));
   else
     fmt::print("{}: tradeoff.csv, tradeoff.md, tradeoff.svg, {} rows\n", one_line(options.output),
                all.size());
@@ -173,7 +173,7 @@ void add_tradeoff(Program& program) {
   add_flag(verb, "--albedo-map", options->moon.albedo_map,
            "albedo map: an image of 2:1 with longitude 0 in the middle, or built-in")
       .reads_file();
-  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  add_json_switch(verb, options->json, {result::fields_of_each<Measured>});
   add_described(verb, options->moon.light.air);
   on_run(verb, [options] { run(*options); });
 }

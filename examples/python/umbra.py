@@ -32,14 +32,14 @@ profiles = {name: coppermoon.shadow_profile(when, wavelengths_nm, distances_km, 
 
 def visible(profile):
     """Mean of the ratio from 400 to 700 nm."""
-    return np.trapz(profile.ratio, profile.wavelengths_nm, axis=1) / 300
+    return np.trapz(profile.irradiance_ratio, profile.wavelengths_nm, axis=1) / 300
 
 
 middle = visible(profiles["molecules alone"])[0]
 print(f"middle of the umbra, molecules alone: 1/{1 / middle:.0f} of sunlight; published: about 1/{1 / published:.0f}")
 
 # %% Its colour: three wavelengths stand for red, green and blue.
-colours = coppermoon.shadow_profile(when, (610, 550, 465), distances_km).ratio
+colours = coppermoon.shadow_profile(when, (610, 550, 465), distances_km).irradiance_ratio
 x, y = np.meshgrid(np.linspace(-9000, 9000, 1200), np.linspace(-3000, 3000, 400))
 from_axis_km = np.hypot(x, y)
 screen = np.stack([np.interp(from_axis_km, distances_km, colour) for colour in colours.T], axis=-1)

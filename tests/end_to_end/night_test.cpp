@@ -25,11 +25,11 @@ class Night : public ProgramTest {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const auto& moment = moments[i];
       const auto& row = rows[i];
-      EXPECT_EQ(row.at("moment"), moment["name"].get<std::string>());
+      EXPECT_EQ(row.at("name"), moment["name"].get<std::string>());
       for (const char* text : {"utc", "local", "zone"})
         EXPECT_EQ(row.at(text), moment[text].get<std::string>());
       for (const char* what : {"up", "seen"})
-        EXPECT_EQ(row.at(what) == "yes", moment[what].get<bool>());
+        EXPECT_EQ(row.at(what) == "true", moment[what].get<bool>());
       EXPECT_EQ(row.at("twilight"), moment["twilight"].get<std::string>());
       for (const char* angle : {"altitude_deg", "azimuth_deg", "sun_altitude_deg"})
         EXPECT_WITHIN(std::stod(row.at(angle)), moment[angle].get<double>(), 6e-4,
@@ -78,7 +78,7 @@ TEST_F(Night, IsToldInATableADocumentAndFiles) {
             "2018-07-27-U4+51.5000-0.1000@coppermoon 27 22:19 -\n"
             "2018-07-27-P4+51.5000-0.1000@coppermoon 27 23:28 -\n");
   const auto csv = text_of(here("a.csv"));
-  EXPECT_TRUE(csv.starts_with("moment,utc,local,"));
+  EXPECT_TRUE(csv.starts_with("name,utc,local,"));
   EXPECT_EQ(files.out, csv) << "--csv prints it, and nothing beside";
   const auto document = nlohmann::json::parse(text_of(here("a.json")));
   EXPECT_EQ(document["time_zone"], "Europe/London") << "of the nearest city";

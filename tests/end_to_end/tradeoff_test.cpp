@@ -89,14 +89,14 @@ TEST_F(TradeoffThoroughly, ExtrapolatesWhatWouldTakeTooLong) {
   EXPECT_EQ(rows.size(), 6U) << "no other solver's";
   for (std::size_t i = 1; i < 3; ++i) {
     const double more = photons[i] / photons[0];
-    EXPECT_EQ(rows[i].at("extrapolated"), "yes");
+    EXPECT_EQ(rows[i].at("extrapolated"), "true");
     EXPECT_WITHIN_RELATIVE(errors[i] / errors[0], 1 / std::sqrt(more), 1e-3,
                            "written to four digits");
   }
   EXPECT_WITHIN_RELATIVE((seconds[2] - seconds[0]) / (seconds[1] - seconds[0]),
                          (photons[2] - photons[0]) / (photons[1] - photons[0]), 5e-3,
                          "a straight line; differences of what is written to four digits");
-  EXPECT_EQ(rows[0].at("extrapolated"), "no");
+  EXPECT_EQ(rows[0].at("extrapolated"), "false");
   EXPECT_NE(text_of(here("measured/tradeoff.md")).find("| extrapolated |"), std::string::npos);
 }
 

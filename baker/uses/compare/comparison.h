@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "algebra/described.h"
 #include "algebra/grid.h"
 #include "colour/exposure.h"
 #include "colour/registration.h"
@@ -38,12 +39,34 @@ struct Difference {
   double from_km = 0, to_km = 0;  ///< axis distances
   std::size_t pixels = 0;         ///< not clipped
   std::size_t clipped = 0;
-  std::size_t black = 0;             ///< of `pixels`, those without light in the photograph
-  std::optional<double> stops = {};  ///< mean luminance of the photograph over the render's
+  std::size_t black = 0;  ///< of `pixels`, those without light in the photograph
+  std::optional<double> stops = {};
+  ///< mean luminance of the photograph over the render's
   std::optional<std::array<double, 2>> photo_uv = {},
                                        render_uv = {};  ///< CIE 1976 u', v' of the mean light
   std::optional<double> delta_e_2000 = {};              ///< mean over the developed pixels
 };
+
+template <class Field>
+void describe(Field&& is, const Difference& difference) {
+  namespace unit = algebra::unit;
+  const auto part = [](const std::optional<std::array<double, 2>>& uv, std::size_t k) {
+    return uv ? std::optional((*uv)[k]) : std::nullopt;
+  };
+  is.a("Difference", "A step of distance from the shadow's axis, or the whole disc.");
+  is("axis_distance_from_km", difference.from_km, unit::kilometres, "least distance from the axis");
+  is("axis_distance_to_km", difference.to_km, unit::kilometres, "largest distance from the axis");
+  is("pixels", difference.pixels, "number of pixels that are compared");
+  is("clipped_pixels", difference.clipped, "number of pixels that the photograph clips");
+  is("black_pixels", difference.black, "number of pixels that are black in the photograph");
+  is("difference_stops", difference.stops, unit::stops,
+     "luminance of the photograph over the render's");
+  is("photo_u", part(difference.photo_uv, 0), "chromaticity u' of the photograph");
+  is("photo_v", part(difference.photo_uv, 1), "chromaticity v' of the photograph");
+  is("render_u", part(difference.render_uv, 0), "chromaticity u' of the render");
+  is("render_v", part(difference.render_uv, 1), "chromaticity v' of the render");
+  is("delta_e_2000", difference.delta_e_2000, "colour difference CIEDE2000");
+}
 
 /// Differences in even steps of axis distance, then that of the whole disc.
 ///

@@ -5,11 +5,13 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "algebra/error.h"
+#include "result/columns.h"
 #include "texture/write_image.h"
 #include "uses/light/header.h"
 #include "uses/light/photometer.h"
@@ -156,7 +158,7 @@ Rgb on_level_ground(const texture::Image& image, const Directions& all) {
 }
 
 texture::Attributes header(const DomeRequest& request, const LitMoon& moon, const ViewRequest& view,
-                           const std::vector<std::pair<std::string, double>>& figures) {
+                           const DomeFigures& figures) {
   auto attributes = scene_linear_header(space_of(request.content), moon.sky.when);
   const auto& place = *view.observer;
   attributes["latitude"] = static_cast<float>(algebra::in_degrees(place.latitude));
@@ -165,8 +167,8 @@ texture::Attributes header(const DomeRequest& request, const LitMoon& moon, cons
   attributes["coppermoon:projection"] = std::string(
       "latitude-longitude: zenith on top, north in the middle column, east to the right of it");
   attributes["coppermoon:moon"] = std::string(request.moon ? "on" : "off");
-  for (const auto& [name, value] : figures)
-    attributes["coppermoon:" + name] = static_cast<float>(value);
+  for (const auto& [name, values] : result::columns_of(std::array{figures}))
+    attributes["coppermoon:" + name] = static_cast<float>(values.front());
   auto asked = request;
   auto seen = view;
   asked.content.space = space_of(request.content);
@@ -228,13 +230,12 @@ Dome dome_over(const DomeRequest& request, const LitMoon& moon, const ViewReques
       for (std::size_t k = 0; k < of_sky.size(); ++k)
         dome.light(row, column, k) =
             static_cast<float>(request.ground_albedo / pi * (of_sky[k] + steep * over.lux[k]));
-  dome.figures = {{"zenith_luminance_cd_m2", sky.zenith_cd_m2()},
-                  {"sky_illuminance_lx", colour::luminance(picture_space, of_sky)},
-                  {"moon_illuminance_lx", colour::luminance(picture_space, over.lux)},
-                  {"moon_altitude_deg", algebra::in_degrees(over.place.altitude)},
-                  {"moon_azimuth_deg", algebra::in_degrees(over.place.azimuth)},
-                  {"sun_geometric_altitude_deg", algebra::in_degrees(sky.sun_altitude())},
-                  {"extinction_mag", sky.extinction_mag()}};
+  dome.figures = {sky.zenith_cd_m2(),
+                  colour::luminance(picture_space, of_sky),
+                  colour::luminance(picture_space, over.lux),
+                  over.place,
+                  sky.sun_altitude(),
+                  sky.extinction_mag()};
   dome.attributes = header(request, moon, view, dome.figures);
   const auto space = space_of(request.content);
   if (space != picture_space) dome.light = in_space(dome.light, picture_space, space);

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
-#include <utility>
-#include <vector>
 
+#include "algebra/described.h"
+#include "povray_scenes/camera.h"
 #include "request/parameter.h"
 #include "texture/image.h"
 #include "uses/picture/baked_moon.h"
@@ -28,14 +28,40 @@ void describe(request::Parameters& is, DomeRequest& dome);
 /// Throws  Error  when a number of it is outside its range
 void require_sound(const DomeRequest& dome);
 
+/// What a dome shows, in numbers.
+struct DomeFigures {
+  double zenith_cd_m2 = 0;  ///< without stars
+  double sky_lx = 0;        ///< of the sky and the stars on level ground, without the Moon itself
+  double moon_lx = 0;       ///< on a surface that faces the Moon
+  povray_scenes::HorizonPlace moon;  ///< as seen
+  algebra::Angle sun_altitude;       ///< airless
+  double extinction_mag = 0;
+};
+
+template <class Field>
+void describe(Field&& is, const DomeFigures& sky) {
+  namespace unit = algebra::unit;
+  is.a("DomeFigures", "What a dome shows, in numbers.");
+  is("zenith_luminance_cd_m2", sky.zenith_cd_m2, unit::luminance,
+     "luminance of the zenith, without stars");
+  is("sky_illuminance_lx", sky.sky_lx, unit::illuminance,
+     "illuminance by the sky and the stars on level ground, without the Moon itself");
+  is("moon_illuminance_lx", sky.moon_lx, unit::illuminance,
+     "illuminance by the Moon on a surface that faces it");
+  is("moon_altitude_deg", sky.moon.altitude, unit::degrees, "altitude of the Moon, as seen");
+  is("moon_azimuth_deg", sky.moon.azimuth, unit::degrees,
+     "azimuth of the Moon, from north through east");
+  is("sun_geometric_altitude_deg", sky.sun_altitude, unit::degrees,
+     "altitude of the Sun, without refraction");
+  is("extinction_mag", sky.extinction_mag, unit::mag,
+     "magnitudes by which the air dims the zenith");
+}
+
 /// Luminance of the night sky in all directions.
 struct Dome {
   texture::Image light;            ///< in the space asked for [cd/m²]
   texture::Attributes attributes;  ///< for a file's header
-  /// By name: zenith_luminance_cd_m2 (without stars), sky_illuminance_lx (of the sky and the stars on level ground, without the
-  /// Moon itself), moon_illuminance_lx (on a surface that faces the Moon), moon_altitude_deg, moon_azimuth_deg (as
-  /// seen), sun_geometric_altitude_deg (airless), extinction_mag
-  std::vector<std::pair<std::string, double>> figures;
+  DomeFigures figures{};
 };
 
 /// Clear night sky over an observer, latitude–longitude: the zenith on top, the horizon in the middle, north in the

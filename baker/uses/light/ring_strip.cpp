@@ -13,6 +13,7 @@
 #include "algebra/error.h"
 #include "eclipse/shadow_axis.h"
 #include "photons/solar_disc.h"
+#include "result/columns.h"
 #include "shadow/limb_ring.h"
 #include "uses/light/header.h"
 #include "uses/light/spectral_bands.h"
@@ -117,20 +118,16 @@ texture::Image image_of(const shadow::LimbRing& ring, const Angles& angles, doub
   return image;
 }
 
-/// Orientation of strip and Earth on the sky, by name; position angles about the Earth's centre, from celestial north
-/// through east.
-using Figures = std::vector<std::pair<std::string, double>>;
-
-Figures figures_of(const Lookout& lookout, const glm::dvec3& sun_m, const Angles& angles) {
-  return {{"lunar_latitude", in_degrees(lookout.place.latitude)},
-          {"lunar_longitude", in_degrees(lookout.place.longitude)},
-          {"inner_angle", angles.inner_rad * 180 / pi},
-          {"outer_angle", angles.outer_rad * 180 / pi},
-          {"earth_distance_km", glm::length(lookout.position_m) / 1e3},
-          {"earth_altitude", in_degrees(lookout.earth_altitude())},
-          {"earth_north_position_angle", 0},
-          {"zenith_position_angle", in_degrees(lookout.position_angle(lookout.zenith))},
-          {"sun_position_angle", in_degrees(lookout.position_angle(sun_m - lookout.position_m))}};
+RingFigures figures_of(const Lookout& lookout, const glm::dvec3& sun_m, const Angles& angles,
+                       double scale) {
+  return {lookout.place,
+          algebra::radians(angles.inner_rad),
+          algebra::radians(angles.outer_rad),
+          glm::length(lookout.position_m) / 1e3,
+          lookout.earth_altitude(),
+          lookout.position_angle(lookout.zenith),
+          lookout.position_angle(sun_m - lookout.position_m),
+          scale};
 }
 
 }  // namespace
@@ -151,11 +148,10 @@ RingStrip ring_strip(const LightRequest& request, const almanac::SkyState& sky,
   const auto angles = angles_of(ring);
   const auto north = lookout.position_angle(glm::row(axis.shadow_from_gcrs, 1));
   RingStrip strip{image_of(ring, angles, algebra::in_radians(north), sun_weights(scale)),
-                  figures_of(lookout, sky.sun_m, angles),
+                  figures_of(lookout, sky.sun_m, angles, scale),
                   scene_linear_header(picture_space, sky.when)};
-  strip.figures.emplace_back("scale", scale);
-  for (const auto& [name, value] : strip.figures)
-    strip.attributes["coppermoon:" + name] = static_cast<float>(value);
+  for (const auto& [name, values] : result::columns_of(std::array{strip.figures}))
+    strip.attributes["coppermoon:" + name] = static_cast<float>(values.front());
   return strip;
 }
 

@@ -2,23 +2,47 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
+#include "algebra/described.h"
 #include "almanac/sky.h"
 #include "texture/image.h"
 #include "uses/light/moonlight.h"
 
 namespace coppermoon::uses {
 
+/// Orientation of strip and Earth on the sky. Position angles are about the Earth's centre, from celestial north through
+/// east.
+struct RingFigures {
+  almanac::SelenographicPoint place;  ///< on the Moon
+  algebra::Angle inner, outer;        ///< of the strip's edges, from the Earth's centre
+  double earth_distance_km = 0;
+  algebra::Angle earth_altitude, zenith, sun;  ///< zenith and Sun: position angles
+  double scale = 1;
+};
+
+template <class Field>
+void describe(Field&& is, const RingFigures& ring) {
+  namespace unit = algebra::unit;
+  is.a("Ring", "The Earth's ring of sunsets, as a place on the Moon sees it.");
+  is("lunar_latitude", ring.place.latitude, unit::degrees, "latitude of the place on the Moon");
+  is("lunar_longitude", ring.place.longitude, unit::degrees, "its longitude");
+  is("inner_angle", ring.inner, unit::degrees, "angle of the inner edge from the Earth's centre");
+  is("outer_angle", ring.outer, unit::degrees, "angle of the outer edge from the Earth's centre");
+  is("earth_distance_km", ring.earth_distance_km, unit::kilometres, "distance of the Earth");
+  is("earth_altitude", ring.earth_altitude, unit::degrees, "altitude of the Earth's centre");
+  is("earth_north_position_angle", 0., unit::degrees,
+     "position angle of the Earth's north, which angles are counted from");
+  is("zenith_position_angle", ring.zenith, unit::degrees, "position angle of the zenith");
+  is("sun_position_angle", ring.sun, unit::degrees, "position angle of the Sun");
+  is("scale", ring.scale, "factor on luminance");
+}
+
 /// Earth's ring of sunsets, unrolled, as a place on the eclipsed Moon sees it.
 struct RingStrip {
   /// linear Rec.709 [cd/m²]; columns: position angle on the sky about the Earth's centre, from celestial
   /// north through east; rows: even in the angle from that centre, the outer edge on top
   texture::Image light;
-  /// orientation of strip and Earth on the sky, by name [degrees, km]
-  std::vector<std::pair<std::string, double>> figures;
+  RingFigures figures;
   texture::Attributes attributes;  ///< for a file's header
 };
 

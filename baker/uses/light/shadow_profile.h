@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "algebra/described.h"
 #include "algebra/grid.h"
 #include "algebra/progress.h"
 #include "uses/light/moonlight.h"
@@ -33,6 +34,25 @@ struct ShadowProfile {
   std::vector<double> wavelengths_nm, axis_distances_m;
   algebra::Grid<double> ratio, standard_error;
 };
+
+template <class Field>
+void describe(Field&& is, const ShadowProfile& profile) {
+  is.a("ShadowProfile", "Light across the Earth's shadow, over unobstructed sunlight.");
+  is("wavelengths_nm", profile.wavelengths_nm, algebra::unit::nanometres,
+     "wavelengths, shape (W,)");
+  is(
+      "axis_distance_km",
+      [&] {
+        auto distances = profile.axis_distances_m;
+        for (double& distance : distances) distance /= 1e3;
+        return distances;
+      },
+      algebra::unit::kilometres, "distances from the shadow's axis, shape (D,)");
+  is("irradiance_ratio", profile.ratio,
+     "spectral irradiance over that of unobstructed sunlight, shape (D, W)");
+  is("standard_error", profile.standard_error,
+     "standard error of the ratio, of photons, shape (D, W)");
+}
 
 /// Throws  Error  when no wavelength is given, or a distance is outside 0 to 1e8 m or not above the one
 ///                before; as refracted_light

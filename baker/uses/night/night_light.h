@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "algebra/described.h"
 #include "uses/night/eclipse_light.h"
 #include "uses/picture/development.h"
 
@@ -38,6 +40,36 @@ struct PhaseExposure {
   bool too_dark = false;  ///< a part has no time, as it would be longer than the whole eclipse
   bool by_sky = false;    ///< the sky's light makes a time shorter, by a third of a stop or more
 };
+
+/// Describes a part's time, its range by the error of the forecast, and what is missing where it would trail.
+template <class Field>
+void describe_part(Field&& is, const std::string& name, const std::optional<PartExposure>& part) {
+  namespace unit = algebra::unit;
+  using Range = std::array<double, 2>;
+  is(name + "_s", part ? std::optional(part->time_s) : std::nullopt, unit::seconds,
+     "its exposure time");
+  is(name + "_range_s",
+     algebra::if_any(part ? std::optional(Range{part->least_s, part->most_s}) : std::nullopt),
+     unit::seconds, "times of a brighter and a darker Moon: the standard error in totality");
+  is(name + "_stops_under",
+     algebra::if_any(part && part->stops_under > 0 ? std::optional(part->stops_under)
+                                                   : std::nullopt),
+     unit::stops, "exposure below what the part asks for, where it would trail");
+}
+
+template <class Field>
+void describe(Field&& is, const PhaseExposure& phase) {
+  is.a("PhaseExposure", "Exposure times for a phase of the eclipse.");
+  is("phase", phase.phase, "the phase");
+  is("utc", phase.when, "its moment, UTC");
+  is("seen", phase.seen, "whether the Moon stands out from its sky");
+  is("sky_over_moon", phase.sky_over_moon, "luminance of the sky over the Moon's");
+  is("by_sky", phase.by_sky, "whether the sky's light makes a time shorter");
+  describe_part(is, "lit", phase.lit);
+  describe_part(is, "umbra", phase.shadow);
+  is("too_dark", algebra::if_any(phase.too_dark ? std::optional(true) : std::nullopt),
+     "true where the exposure would be longer than the whole eclipse");
+}
 
 /// Brightness and exposure times of an eclipse.
 struct NightLights {

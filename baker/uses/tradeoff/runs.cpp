@@ -194,6 +194,17 @@ class Run {
 
 }  // namespace
 
+algebra::ByName<std::optional<double>> settings_of(const Trial& trial) {
+  algebra::ByName<std::optional<double>> all;
+  const auto add = [&](const char* key, double value) {
+    all.emplace_back(key, value == 0 ? std::nullopt : std::optional(value));
+  };
+  add("photons", trial.photons), add("step_km", trial.step_km);
+  add("wavelengths", trial.wavelengths), add("rays", trial.rays);
+  add("replicas", trial.replicas), add("texture_width", trial.texture_width);
+  return all;
+}
+
 double seconds_of(const Trial&, const std::function<void()>& run) {
   const auto start = std::chrono::steady_clock::now();
   run();

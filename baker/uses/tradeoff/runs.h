@@ -2,10 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "algebra/described.h"
 #include "algebra/progress.h"
 #include "uses/tradeoff/sweeps.h"
 #include "uses/tradeoff/yardstick.h"
@@ -16,11 +18,34 @@ namespace coppermoon::uses {
 struct Measured {
   Trial trial;
   std::string_view varied;  ///< name of the setting that its sweep varies
-  double value;             ///< value of that setting
-  double seconds;
+  double value = 0;         ///< value of that setting
+  double seconds = 0;
   LightErrors errors;
-  bool extrapolated;  ///< from smaller trials
+  bool extrapolated = false;  ///< from smaller trials
 };
+
+/// Settings of a trial by their keys; none of a solver that has no such setting.
+algebra::ByName<std::optional<double>> settings_of(const Trial& trial);
+
+template <class Field>
+void describe(Field&& is, const Measured& one) {
+  namespace unit = algebra::unit;
+  is.a("Measured", "Time and error of a trial.");
+  is("solver", name(one.trial.solver), "the solver");
+  is("varied", one.varied, "setting that its sweep varies");
+  is("value", one.value, "value of that setting");
+  for (const auto& [key, value] : settings_of(one.trial))
+    is(key, value, "setting; none of a solver that has none");
+  is("seconds", one.seconds, unit::seconds, "time");
+  is("umbra_rms", one.errors.umbra.rms, "relative error in the umbra, root mean square");
+  is("umbra_worst", one.errors.umbra.worst, "relative error at the worst place of the umbra");
+  is("penumbra_rms", one.errors.penumbra.rms, "relative error in the penumbra, root mean square");
+  is("penumbra_worst", one.errors.penumbra.worst,
+     "relative error at the worst place of the penumbra");
+  is("delta_e_mean", one.errors.picture.mean, "CIEDE2000 of the picture, the mean");
+  is("delta_e_99", one.errors.picture.percentile_99, "CIEDE2000 that 99 % of the picture keep");
+  is("extrapolated", one.extrapolated, "whether it is extrapolated from smaller trials");
+}
 
 /// Runs a trial and gives the seconds that it took.
 using Stopwatch = std::function<double(const Trial& trial, const std::function<void()>& run)>;

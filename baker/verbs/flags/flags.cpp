@@ -75,9 +75,9 @@ Parameter& add_run_switch(Verb& verb, const std::string& names, bool& value,
   return add_switch(verb, names, value, help).of(Affects::run);
 }
 
-void add_json_switch(Verb& verb, bool& value, std::vector<result::Fields> documents) {
-  add_run_switch(verb, "--json", value, "prints one JSON document");
+Parameter& add_json_switch(Verb& verb, bool& value, Documents documents, const std::string& help) {
   verb.documents = std::move(documents);
+  return add_run_switch(verb, "--json", value, help);
 }
 
 Verb& add_verb(Program& program, const std::string& name, const std::string& help) {

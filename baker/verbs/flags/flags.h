@@ -22,13 +22,16 @@ struct WrongUsage : std::runtime_error {
 
 struct Program;
 
+/// Documents that --json prints: one of these. A function each, for few commands ask for the fields.
+using Documents = std::vector<result::Fields (*)()>;
+
 /// Command with its parameters.
 struct Verb {
   std::string name{}, help{};
   request::Parameters parameters{};
   std::function<void()> run{};        ///< what it does once its parameters have their values
   Program* program = nullptr;         ///< whose command it is; null: none's, to read the recipe of a file
-  std::vector<result::Fields> documents{};  ///< that --json prints: one of these
+  Documents documents{};
   std::vector<std::string> typed{};   ///< names of parameters that the command line itself gives
 };
 
@@ -106,7 +109,8 @@ request::Parameter& add_run_switch(Verb& verb, const std::string& names, bool& v
                                    const std::string& help);
 
 /// Adds --json, and says which documents it prints (`coppermoon describe`).
-void add_json_switch(Verb& verb, bool& value, std::vector<result::Fields> documents);
+request::Parameter& add_json_switch(Verb& verb, bool& value, Documents documents,
+                                    const std::string& help = "prints one JSON document");
 
 /// Returned  the new command, without parameters
 Verb& add_verb(Program& program, const std::string& name, const std::string& help);

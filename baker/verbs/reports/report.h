@@ -6,32 +6,64 @@
 #include <string>
 #include <vector>
 
+#include "almanac/instant.h"
 #include "plan/plan.h"
+#include "result/as_json.h"
 
 namespace coppermoon::verbs {
+
+/// Recipe as JSON.
+nlohmann::ordered_json as_json(const std::string& recipe);
+
+/// Describes the files that a command made: `file` of one, `files` of several.
+template <class Field>
+void describe_files(Field&& is, const std::vector<std::string>& files) {
+  const bool one = files.size() == 1;
+  is("file", algebra::if_any(one ? std::optional(files.front()) : std::nullopt),
+     "the file that was made");
+  is("files", algebra::if_any(one ? std::nullopt : std::optional(files)),
+     "the files, where there are several");
+}
 
 /// Report of a command that made files.
 struct Report {
   std::vector<std::string> files;
   std::string recipe;
-  double seconds, relative_error;
-  plan::Plan plan;
+  double seconds = 0, relative_error = 0;
+  plan::Plan plan{};
 };
+
+template <class Field>
+void describe(Field&& is, const Report& made) {
+  is.a("Report", "Files that were made, and how.");
+  describe_files(is, made.files);
+  is(
+      "chosen", [&] { return as_json(made.recipe); },
+      "recipe that makes the same again, as an object");
+  describe(is, made.plan);
+  is("reached", plan::Cost{made.seconds, made.relative_error}, "what was reached");
+}
+
+/// File that was made of a moment, with its figures.
+template <class Figures>
+struct MadeOf {
+  std::string file;
+  almanac::Instant instant;
+  Figures figures;
+};
+
+template <class Field, class Figures>
+void describe(Field&& is, const MadeOf<Figures>& made) {
+  is.a("Made", "A file of a moment, with its figures.");
+  is("file", made.file, "the file that was made");
+  is("instant", made.instant, "the moment, UTC");
+  describe(is, made.figures);
+}
 
 /// Seconds since a time.
 double seconds_since(std::chrono::steady_clock::time_point start);
 
-/// Prints a report on stdout: one line, or one JSON document with the keys file (files where there are several),
-/// chosen, left_out, predicted and reached.
+/// Prints a report on stdout: one line, or one JSON document.
 void report(const Report& made, bool json);
-
-/// Recipe as JSON.
-nlohmann::ordered_json as_json(const std::string& recipe);
-
-/// Rows as CSV under the names of their columns: an array of objects with the same keys, none nested. Null is empty.
-std::string as_csv(const nlohmann::ordered_json& rows);
-
-/// Plan as JSON: `left_out`, `predicted`; `methods` where several were weighed, `gave_way` where a wish was not met.
-nlohmann::ordered_json as_json(const plan::Plan& plan);
 
 }  // namespace coppermoon::verbs

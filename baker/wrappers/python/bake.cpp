@@ -2,11 +2,11 @@
 #include <memory>
 
 #include "uses/picture/baked_moon.h"
-#include "wrappers/python/arguments.h"
 #include "wrappers/python/computing.h"
 #include "wrappers/python/fields.h"
 #include "wrappers/python/nouns.h"
 #include "wrappers/python/requests.h"
+#include "wrappers/python/results.h"
 
 namespace coppermoon::python {
 namespace {
@@ -17,12 +17,27 @@ struct Texels {
   texture::Image image;
 };
 
-/// A texture as arrays.
+/// A texture as Python keeps it.
 struct Texture {
-  std::vector<std::string> channels;  ///< of the first part
-  std::string space;
-  py::dict parts, header;
+  py::dict values;
 };
+
+result::Fields fields_of_texture() {
+  return {
+      "Texture",
+      "A texture of the Moon, plate carrée: row 0 north, longitude 0 in the middle, east to the "
+      "right. numpy.asarray gives its pixels.",
+      {{.key = "pixels",
+        .unit = "cd/m²",
+        .meaning = "scene-linear values, float32, shape (height, width, channels)"},
+       {.key = "channels",
+        .meaning = "names of the channels: the colours; spectral ones are in W/(m² sr nm)"},
+       {.key = "space", .meaning = "colour space: 'lin_rec709', 'acescg' or 'lin_ciexyzd65_scene'"},
+       {.key = "header",
+        .meaning = "header of its file, by name; 'coppermoon:recipe' bakes the texture again"},
+       {.key = "parts",
+        .meaning = "all arrays by name: with passes also what the light is made of"}}};
+}
 
 py::array_t<float> array_of_image(texture::Image image) {
   const std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(image.height),
@@ -74,48 +89,24 @@ Texture texture_of(const Moment& when, const std::optional<uses::Air>& air,
   auto baked = computed(callback, [&](const algebra::Progress& progress) {
     return baked_of(asked, when.seen_from(asked.view.observer), progress);
   });
-  Texture texture{
-      baked.parts.front().image.channels, std::string(colour::name(*asked.content.space)), {}, {}};
-  for (auto& [name, image] : baked.parts)
-    texture.parts[py::str(name)] = array_of_image(std::move(image));
-  for (const auto& [name, value] : baked.header) texture.header[py::str(name)] = value;
+  Texture texture;
+  const auto channels = baked.parts.front().image.channels;
+  py::dict parts;
+  for (auto& [name, image] : baked.parts) parts[py::str(name)] = array_of_image(std::move(image));
+  texture.values["pixels"] = parts[py::str(baked.parts.front().name)];
+  texture.values["channels"] = channels;
+  texture.values["space"] = std::string(colour::name(*asked.content.space));
+  texture.values["header"] = header_of(baked.header);
+  texture.values["parts"] = parts;
   return texture;
-}
-
-py::object first_of(const Texture& texture) {
-  return texture.parts.begin()->second.cast<py::object>();
 }
 
 }  // namespace
 
 void add_bake(py::module_& package) {
   using namespace py::literals;
-  py::class_<Texture>(
-      package, "Texture",
-      "A texture of the Moon, plate carrée: row 0 north, longitude 0 in the middle, "
-      "east to the right. numpy.asarray gives its pixels.")
-      .def_property_readonly(
-          "pixels", first_of,
-          "scene-linear values [cd/m²], float32, shape (height, width, channels)")
-      .def_readonly("channels", &Texture::channels,
-                    "names of the channels: the colours; spectral ones are in W/(m² sr nm)")
-      .def_readonly("space", &Texture::space,
-                    "colour space: 'lin_rec709', 'acescg' or 'lin_ciexyzd65_scene'")
-      .def_readonly("header", &Texture::header,
-                    "header of its file, by name; 'coppermoon:recipe' bakes the texture again")
-      .def_readonly("parts", &Texture::parts,
-                    "all arrays by name: with passes also what the light is made of")
-      .def(
-          "__array__",
-          [](const Texture& texture, const py::object& dtype, std::optional<bool> copy) {
-            return converted(first_of(texture), dtype, copy);
-          },
-          "dtype"_a = py::none(), "copy"_a = py::none())
-      .def("__repr__", [](const Texture& texture) {
-        const auto shape = first_of(texture).attr("shape");
-        return fmt::format("<Texture {} of shape {}>", texture.space,
-                           py::str(shape).cast<std::string>());
-      });
+  auto texture = add_kept<Texture>(package, fields_of_texture());
+  add_array_protocol(texture, "pixels");
   TextureKeywords keywords;
   const auto parameters = bake_keywords(keywords);
   const auto doc = fmt::format(

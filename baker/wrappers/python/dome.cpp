@@ -3,25 +3,38 @@
 
 #include "almanac/sky.h"
 #include "eclipse/contacts.h"
-#include "wrappers/python/arguments.h"
 #include "wrappers/python/computing.h"
 #include "wrappers/python/fields.h"
 #include "wrappers/python/nouns.h"
 #include "wrappers/python/requests.h"
+#include "wrappers/python/results.h"
 
 namespace coppermoon::python {
 namespace {
 
-/// A dome as arrays.
-struct DomeArrays {
-  py::object pixels;
-  std::string space;
-  py::dict header, figures;
+/// A dome as Python keeps it.
+struct Dome {
+  py::dict values;
 };
 
-DomeArrays dome_at(const Moment& when, const Place& at, const std::optional<uses::Air>& air,
-                   const std::optional<uses::LightRequest>& light, const Callback& callback,
-                   const py::kwargs& more) {
+result::Fields fields_of_dome() {
+  return {
+      "Dome",
+      "The night sky in all directions: row 0 at the zenith, the horizon in the middle, north in "
+      "the middle column, east to the right of it.",
+      {{.key = "pixels",
+        .unit = "cd/m²",
+        .meaning = "scene-linear values, float32, shape (height, width, 3)"},
+       {.key = "space", .meaning = "colour space: 'lin_rec709', 'acescg' or 'lin_ciexyzd65_scene'"},
+       {.key = "header",
+        .meaning = "header of its file, by name; 'coppermoon:recipe' makes the dome again"},
+       {.key = "figures",
+        .meaning = "luminance, illuminances and places, by name with their units"}}};
+}
+
+Dome dome_at(const Moment& when, const Place& at, const std::optional<uses::Air>& air,
+             const std::optional<uses::LightRequest>& light, const Callback& callback,
+             const py::kwargs& more) {
   DomeKeywords asked;
   auto& moon = asked.moon.moon;
   take_objects(asked.moon, air, light, at);
@@ -36,40 +49,22 @@ DomeArrays dome_at(const Moment& when, const Place& at, const std::optional<uses
   });
   const std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(dome.light.height),
                                        static_cast<py::ssize_t>(dome.light.width), 3};
-  DomeArrays arrays{array_of<float>(std::move(dome.light.values), shape),
-                    std::string(colour::name(space_of(asked.dome.content))),
-                    {},
-                    {}};
-  for (const auto& [name, value] : dome.attributes) arrays.header[py::str(name)] = value;
-  for (const auto& [name, value] : dome.figures) arrays.figures[py::str(name)] = value;
-  return arrays;
+  py::dict figures;
+  describe(Keeps{figures}, dome.figures);
+  Dome made;
+  made.values["pixels"] = array_of<float>(std::move(dome.light.values), shape);
+  made.values["space"] = std::string(colour::name(space_of(asked.dome.content)));
+  made.values["header"] = header_of(dome.attributes);
+  made.values["figures"] = figures;
+  return made;
 }
 
 }  // namespace
 
 void add_dome(py::module_& package) {
   using namespace py::literals;
-  py::class_<DomeArrays>(package, "Dome",
-                         "The night sky in all directions: row 0 at the zenith, the horizon in the "
-                         "middle, north in the middle column, east to the right of it.")
-      .def_readonly("pixels", &DomeArrays::pixels,
-                    "scene-linear values [cd/m²], float32, shape (height, width, 3)")
-      .def_readonly("space", &DomeArrays::space,
-                    "colour space: 'lin_rec709', 'acescg' or 'lin_ciexyzd65_scene'")
-      .def_readonly("header", &DomeArrays::header,
-                    "header of its file, by name; 'coppermoon:recipe' makes the dome again")
-      .def_readonly("figures", &DomeArrays::figures,
-                    "luminance, illuminances and places, by name with their units")
-      .def(
-          "__array__",
-          [](const DomeArrays& dome, const py::object& dtype, std::optional<bool> copy) {
-            return converted(dome.pixels, dtype, copy);
-          },
-          "dtype"_a = py::none(), "copy"_a = py::none())
-      .def("__repr__", [](const DomeArrays& dome) {
-        return fmt::format("<Dome {} of shape {}>", dome.space,
-                           py::str(dome.pixels.attr("shape")).cast<std::string>());
-      });
+  auto dome = add_kept<Dome>(package, fields_of_dome());
+  add_array_protocol(dome, "pixels");
   DomeKeywords keywords;
   const auto parameters = dome_keywords(keywords);
   const auto doc = fmt::format(

@@ -3,27 +3,20 @@
 
 #include <algorithm>
 
-#include "wrappers/python/arguments.h"
 #include "wrappers/python/computing.h"
 #include "wrappers/python/nouns.h"
+#include "wrappers/python/results.h"
 
 namespace coppermoon::python {
 namespace {
 
 using eclipse::Eclipse, eclipse::ShadowConvention;
 
-py::dict contacts_by_name(const Eclipse& one) {
-  py::dict all;
-  for (const auto& [name, when] : eclipse::contacts_of(one))
-    if (name != "greatest") all[py::str(name)] = datetime_of(when);
-  return all;
-}
-
 /// Some years at a time, so that one may stop between them.
-std::vector<Eclipse> eclipses_in(const Date& start, const Date& stop, ShadowConvention convention,
-                                 const Callback& callback) {
+py::list eclipses_in(const Date& start, const Date& stop, ShadowConvention convention,
+                     const Callback& callback) {
   constexpr double at_a_time_s = 2e8;
-  return computed(callback, [&](const algebra::Progress& progress) {
+  return kept(computed(callback, [&](const algebra::Progress& progress) {
     std::vector<Eclipse> all;
     const double length_s = almanac::seconds_between(start.instant, stop.instant);
     if (!(length_s >= 0))
@@ -37,40 +30,21 @@ std::vector<Eclipse> eclipses_in(const Date& start, const Date& stop, ShadowConv
       progress(std::min(1., (from_s + at_a_time_s) / std::max(1., length_s)));
     }
     return all;
-  });
+  }));
 }
 
-Eclipse nearest(const Date& when, ShadowConvention convention) {
-  const py::gil_scoped_release others_run;
-  return eclipse::nearest_eclipse(when.instant, convention);
+Told<Eclipse> nearest(const Date& when, ShadowConvention convention) {
+  return told([&] {
+    const py::gil_scoped_release others_run;
+    return eclipse::nearest_eclipse(when.instant, convention);
+  }());
 }
 
 }  // namespace
 
 void add_eclipses(py::module_& package) {
   using namespace py::literals;
-  py::class_<Eclipse>(package, "Eclipse", "An eclipse of the Moon.")
-      .def_property_readonly(
-          "greatest", [](const Eclipse& one) { return datetime_of(one.greatest); },
-          "moment at which the Moon's centre is at its least angle from the "
-          "shadow's axis, UTC")
-      .def_property_readonly(
-          "type", [](const Eclipse& one) { return name(one.type); },
-          "'penumbral', 'partial' or 'total'")
-      .def_readonly("gamma", &Eclipse::gamma,
-                    "distance of the Moon's centre from the axis then, in Earth radii, north "
-                    "positive")
-      .def_readonly("umbral_magnitude", &Eclipse::umbral_magnitude,
-                    "share of the Moon's diameter in the umbra")
-      .def_readonly("penumbral_magnitude", &Eclipse::penumbral_magnitude,
-                    "share of the Moon's diameter in the penumbra")
-      .def_property_readonly("contacts", contacts_by_name,
-                             "moments by the names of the contacts that it has: P1, U1, U2, U3, "
-                             "U4, P4, UTC")
-      .def("__repr__", [](const Eclipse& one) {
-        return fmt::format("<Eclipse {} {}>", almanac::utc_text(one.greatest), name(one.type));
-      });
-
+  add_result<Eclipse>(package);
   package.def("eclipses", eclipses_in, "start"_a, "stop"_a, py::kw_only(),
               "convention"_a = ShadowConvention::danjon, "progress"_a = py::none(),
               R"(eclipses(start, stop, *, convention='danjon', progress=None)

@@ -102,7 +102,7 @@ void take_value(Parameter& parameter, py::handle value) {
 
 }  // namespace
 
-void take(Parameters parameters, const std::string& function, const py::kwargs& keywords) {
+void take(Parameters parameters, const std::string& function, const py::dict& keywords) {
   for (const auto& [key, value] : keywords) {
     const auto keyword = key.cast<std::string>();
     const auto named = std::ranges::find(parameters, keyword, name_of);

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <pybind11/pybind11.h>
 
-#include <concepts>
 #include <string>
 
 #include "wrappers/python/described.h"
@@ -19,7 +18,7 @@ namespace py = pybind11;
 /// Given   function  for errors
 /// Throws  type_error  for a keyword that there is not, or a value of another kind
 ///         Error       for a value that is not allowed
-void take(request::Parameters parameters, const std::string& function, const py::kwargs& keywords);
+void take(request::Parameters parameters, const std::string& function, const py::dict& keywords);
 
 /// Value of a parameter: a number, a bool, a text, regions, or None.
 py::object value_of(const request::Parameter& parameter);
@@ -44,10 +43,28 @@ void add_class(py::module_& package, const char* type, const std::string& text) 
           return value_of(*parameters_of(request).find(name));
         },
         meaning_of(field).c_str());
-  made.def("__repr__", [type](const Request& request) { return text_of(type, request); });
-  if constexpr (std::equality_comparable<Request>)
-    made.def(
-        "__eq__", [](const Request& a, const Request& b) { return a == b; }, py::is_operator());
+  const auto shown = [type](const Request& request) { return text_of(type, request); };
+  made.def("__repr__", shown);
+  made.def(
+      "__eq__", [shown](const Request& a, const Request& b) { return shown(a) == shown(b); },
+      py::is_operator());
+  made.def("__hash__",
+           [shown](const Request& request) { return py::hash(py::str(shown(request))); });
+  made.def(py::pickle(
+      [](Request request) {
+        Request untouched;
+        const auto usual = parameters_of(untouched);
+        py::dict values;
+        for (const auto& field : parameters_of(request))
+          if (field.texts() != usual.find(field.name)->texts())
+            values[name_of(field).c_str()] = value_of(field);
+        return values;
+      },
+      [type](const py::dict& values) {
+        Request request;
+        take(parameters_of(request), type, values);
+        return request;
+      }));
 }
 
 }  // namespace coppermoon::python

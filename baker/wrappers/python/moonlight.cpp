@@ -2,48 +2,97 @@
 #include "uses/light/moonlight.h"
 
 #include <memory>
+#include <tuple>
 
 #include "almanac/sky.h"
 #include "eclipse/shadow_axis.h"
 #include "uses/light/spectral_bands.h"
-#include "wrappers/python/arguments.h"
 #include "wrappers/python/computing.h"
 #include "wrappers/python/nouns.h"
+#include "wrappers/python/own_results.h"
 #include "wrappers/python/requests.h"
+#include "wrappers/python/results.h"
 
 namespace coppermoon::python {
 namespace {
 
-/// Light on the Moon of one moment, each wavelength by itself.
-struct LitSphere {
+/// Ratios by place, behind the key "_ratios" of a Moonlight.
+struct Ratios {
   almanac::SkyState sky;
-  plan::Plan plan;
-  double error_found;
-  shadow::Lookup ratios;
+  shadow::Lookup lookup;
 };
 
-std::shared_ptr<LitSphere> lit_sphere(const Moment& when, const std::optional<uses::Air>& air,
-                                      const std::optional<uses::LightRequest>& light,
-                                      const Callback& callback) {
+py::object stored(const std::vector<double>& numbers) { return array_of(numbers); }
+template <class Number>
+py::object stored(const Number& number) {
+  return py::cast(number);
+}
+py::object stored(const algebra::Grid<float>& grid) {
+  return array_of<float>(algebra::Grid<float>(grid), {static_cast<py::ssize_t>(grid.rows()),
+                                                      static_cast<py::ssize_t>(grid.columns())});
+}
+
+template <class Number>
+void restore(Number& number, py::handle from) {
+  number = from.cast<Number>();
+}
+void restore(algebra::Grid<float>& grid, py::handle from) {
+  const auto array = from.cast<py::array_t<float, py::array::c_style>>();
+  grid = {static_cast<std::size_t>(array.shape(0)), static_cast<std::size_t>(array.shape(1))};
+  std::copy_n(array.data(), array.size(), grid.values().begin());
+}
+
+/// All numbers of a moment and a table, to be stored or restored.
+template <class Instant, class Table>
+auto members(Instant& when, Table& table) {
+  return std::tie(when.tt_day, when.tt_fraction, table.channels, table.depths_m,
+                  table.middle_depth_m, table.sunlight, table.sectors.around, table.sectors.first,
+                  table.sectors.count, table.held, table.nodes.first_m, table.nodes.cell_m,
+                  table.nodes.first_node, table.nodes.parts, table.nodes.at_m, table.end_m,
+                  table.values);
+}
+
+py::list state_of(const Ratios& ratios) {
+  py::list state;
+  std::apply([&](const auto&... each) { (state.append(stored(each)), ...); },
+             members(ratios.sky.when, ratios.lookup.table()));
+  return state;
+}
+
+std::shared_ptr<Ratios> ratios_from(const py::list& state) {
+  almanac::Instant when;
+  shadow::LookupTable table;
+  std::size_t next = 0;
+  std::apply([&](auto&... each) { (restore(each, state[next++]), ...); }, members(when, table));
+  return std::make_shared<Ratios>(Ratios{almanac::sky_at(when), shadow::Lookup(std::move(table))});
+}
+
+Told<LitSphere> lit_sphere(const Moment& when, const std::optional<uses::Air>& air,
+                           const std::optional<uses::LightRequest>& light,
+                           const Callback& callback) {
   const auto request = light_request(air, light);
-  return computed(callback, [&](const algebra::Progress& progress) {
+  LitSphere moon;
+  const auto ratios = computed(callback, [&](const algebra::Progress& progress) {
     const auto sky = almanac::sky_at(when.seen_from({}));
     const auto found = uses::light_on_the_moon(request, sky, {}, progress);
     const auto count = static_cast<std::size_t>(found.plan.work.bands);
     shadow::ChannelWeights each(count, count);
     for (std::size_t i = 0; i < count; ++i) each(i, i) = 1;
-    return std::make_shared<LitSphere>(
-        LitSphere{sky, found.plan, found.error_found, found.in_sums(each, found.range)});
+    moon = {sky.when, found.plan.work, found.error_found};
+    return std::make_shared<Ratios>(Ratios{sky, found.in_sums(each, found.range)});
   });
+  auto made = told(moon);
+  made.values["_ratios"] = py::cast(ratios);
+  return made;
 }
 
 using Degrees = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 /// Ratios at places on the ground, one a wavelength.
-std::vector<double> read_all(const LitSphere& moon, const Degrees& latitudes,
+std::vector<double> read_all(const Ratios& moon, const Degrees& latitudes,
                              const Degrees& longitudes) {
   const auto axis = eclipse::shadow_axis(moon.sky);
-  std::vector<double> all(static_cast<std::size_t>(latitudes.size()) * moon.ratios.channels());
+  std::vector<double> all(static_cast<std::size_t>(latitudes.size()) * moon.lookup.channels());
   const double *latitude = latitudes.data(), *longitude = longitudes.data();
   const auto count = static_cast<std::size_t>(latitudes.size());
   for (std::size_t i = 0; i < count; ++i) {
@@ -51,19 +100,20 @@ std::vector<double> read_all(const LitSphere& moon, const Degrees& latitudes,
     algebra::require_within("lunar longitude [deg]", longitude[i], -360, 360);
     const auto ground = almanac::selenographic_direction(
         {algebra::degrees(latitude[i]), algebra::degrees(longitude[i])});
-    moon.ratios.read(eclipse::place_of_ground(axis, moon.sky, ground),
-                     std::span(all).subspan(i * moon.ratios.channels(), moon.ratios.channels()));
+    moon.lookup.read(eclipse::place_of_ground(axis, moon.sky, ground),
+                     std::span(all).subspan(i * moon.lookup.channels(), moon.lookup.channels()));
   }
   return all;
 }
 
-py::array_t<double> ratios_at(const LitSphere& moon, const Degrees& latitudes,
+py::array_t<double> ratios_at(const Told<LitSphere>& moonlight, const Degrees& latitudes,
                               const Degrees& longitudes) {
+  const auto& moon = moonlight.values["_ratios"].cast<const Ratios&>();
   std::vector<py::ssize_t> shape(latitudes.shape(), latitudes.shape() + latitudes.ndim());
   if (!std::equal(shape.begin(), shape.end(), longitudes.shape(),
                   longitudes.shape() + longitudes.ndim()))
     throw algebra::Error("latitudes and longitudes: arrays of two shapes, allowed one");
-  shape.push_back(static_cast<py::ssize_t>(moon.ratios.channels()));
+  shape.push_back(static_cast<py::ssize_t>(moon.lookup.channels()));
   std::vector<double> all;
   {
     const py::gil_scoped_release others_run;
@@ -76,29 +126,20 @@ py::array_t<double> ratios_at(const LitSphere& moon, const Degrees& latitudes,
 
 void add_moonlight(py::module_& package) {
   using namespace py::literals;
-  py::class_<LitSphere, std::shared_ptr<LitSphere>>(package, "Moonlight",
-                                                    "Light that falls on the Moon at one moment.")
-      .def_property_readonly(
-          "when", [](const LitSphere& m) { return datetime_of(m.sky.when); }, "the moment, UTC")
-      .def_property_readonly(
-          "wavelengths_nm",
-          [](const LitSphere& m) { return array_of(uses::wavelengths_nm(m.plan.work.bands)); },
-          "wavelengths that light was computed at [nm], shape (W,)")
-      .def_property_readonly(
-          "method", [](const LitSphere& m) { return std::string(plan::name(m.plan.work.solver)); },
-          "how it was computed, in words")
-      .def_readonly("error_found", &LitSphere::error_found,
-                    "relative error of luminance that was found, the largest on the disc")
-      .def("ratio", ratios_at, "latitude_deg"_a, "longitude_deg"_a,
-           R"(ratio(latitude_deg, longitude_deg)
+  py::class_<Ratios, std::shared_ptr<Ratios>>(package, "_Ratios")
+      .def(
+          "__eq__",
+          [](const Ratios& a, const Ratios& b) { return are_equal(state_of(a), state_of(b)); },
+          py::is_operator())
+      .def(py::pickle([](const Ratios& ratios) { return state_of(ratios); },
+                      [](const py::list& state) { return ratios_from(state); }));
+  add_result<LitSphere>(package).def("ratio", ratios_at, "latitude_deg"_a, "longitude_deg"_a,
+                                     R"(ratio(latitude_deg, longitude_deg)
 
 Spectral irradiance on ground that faces the Sun, over that of unobstructed sunlight.
 
 latitude_deg, longitude_deg: places on the Moon [degrees], north and east positive, of one shape
-Returned: that shape and one axis more, of wavelengths)")
-      .def("__repr__", [](const LitSphere& m) {
-        return fmt::format("<Moonlight {}>", almanac::utc_text(m.sky.when));
-      });
+Returned: that shape and one axis more, of wavelengths)");
   package.def("moonlight", lit_sphere, "when"_a, py::kw_only(), "air"_a = py::none(),
               "light"_a = py::none(), "progress"_a = py::none(),
               R"(moonlight(when, *, air=None, light=None, progress=None)

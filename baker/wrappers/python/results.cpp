@@ -17,10 +17,19 @@ bool are_equal_arrays(py::handle a, py::handle b) {
 
 /// Value as text; empty: None.
 std::string text_of(py::handle value) {
+  constexpr std::size_t most_shown = 8;
   if (value.is_none()) return "";
   if (py::isinstance<py::array>(value))
     return fmt::format("<array {}>", py::str(value.attr("shape")).cast<std::string>());
-  return py::repr(value).cast<std::string>();
+  const bool of_dict = py::isinstance<py::dict>(value), of_list = py::isinstance<py::list>(value);
+  if (!of_dict && !of_list) return py::repr(value).cast<std::string>();
+  if (py::len(value) > most_shown) return fmt::format("<{} values>", py::len(value));
+  std::string text;
+  for (const auto each : value)
+    text += fmt::format(
+        "{}{}", text.empty() ? "" : ", ",
+        of_dict ? fmt::format("{}: {}", text_of(each), text_of(value[each])) : text_of(each));
+  return fmt::format(fmt::runtime(of_dict ? "{{{}}}" : "[{}]"), text);
 }
 
 }  // namespace
@@ -39,7 +48,8 @@ py::object shown(const result::Field& field, const py::dict& values) {
 std::string text_of(const std::string& type, const py::dict& values) {
   std::string text;
   for (const auto& [key, value] : values)
-    if (const auto told = text_of(value); !told.empty())
+    if (const auto told = text_of(value);
+        !told.empty() && !key.cast<std::string>().starts_with('_'))
       text += fmt::format("{}{}={}", text.empty() ? "" : ", ", key.cast<std::string>(), told);
   return fmt::format("{}({})", type, text);
 }

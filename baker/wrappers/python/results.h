@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "result/fields.h"
+#include "texture/image.h"
 #include "wrappers/python/arguments.h"
 
 namespace coppermoon::python {
@@ -94,11 +95,9 @@ std::string text_of(const std::string& type, const py::dict& values);
 /// Whether two kept values are the same; arrays by their bytes, the values of two results in the order of their keys.
 bool are_equal(py::handle a, py::handle b);
 
-/// Class of a result: a property for each of its fields.
-template <result::Described Result>
-py::class_<Told<Result>> add_result(py::module_& package) {
-  using Kept = Told<Result>;
-  const auto fields = result::fields_of<Result>();
+/// Class of kept values: a property for each field.
+template <class Kept>
+py::class_<Kept> add_kept(py::module_& package, const result::Fields& fields) {
   py::class_<Kept> made(package, fields.name.c_str(), fields.meaning.c_str());
   for (const auto& field : fields.all)
     made.def_property_readonly(
@@ -115,6 +114,31 @@ py::class_<Told<Result>> add_result(py::module_& package) {
   made.def(py::pickle([](const Kept& result) { return result.values; },
                       [](const py::dict& values) { return Kept{values}; }));
   return made;
+}
+
+/// Class of a result that describes itself.
+template <result::Described Result>
+py::class_<Told<Result>> add_result(py::module_& package) {
+  return add_kept<Told<Result>>(package, result::fields_of<Result>());
+}
+
+/// Lets NumPy take an object for its array of that key.
+template <class Kept>
+void add_array_protocol(py::class_<Kept>& made, const char* key) {
+  using namespace py::literals;
+  made.def(
+      "__array__",
+      [key](const Kept& kept, const py::object& dtype, std::optional<bool> copy) {
+        return converted(kept.values[key], dtype, copy);
+      },
+      "dtype"_a = py::none(), "copy"_a = py::none());
+}
+
+/// A header's values by name.
+inline py::dict header_of(const texture::Attributes& attributes) {
+  py::dict header;
+  for (const auto& [name, value] : attributes) header[py::str(name)] = value;
+  return header;
 }
 
 }  // namespace coppermoon::python

@@ -6,8 +6,11 @@
 #include <map>
 #include <string>
 
+#include "eclipse/contacts.h"
+#include "uses/light/shadow_profile.h"
 #include "uses/picture/brightness.h"
 #include "wrappers/python/described.h"
+#include "wrappers/python/own_results.h"
 
 namespace coppermoon::python {
 namespace {
@@ -58,6 +61,10 @@ std::map<std::string, std::string> all_parts() {
   return {{"    @Air@", members<uses::Air>()},
           {"    @Region@", members<uses::AirRegion>()},
           {"    @Light@", members<uses::LightRequest>()},
+          {"    @Eclipse@", properties<eclipse::Eclipse>()},
+          {"    @Sky@", properties<SkyOfArrays>()},
+          {"    @ShadowProfile@", properties<uses::ShadowProfile>()},
+          {"    @Moonlight@", properties<LitSphere>()},
           {"    @Brightness@", properties<uses::MoonBrightness>()},
           {"    @BrightnessSeen@", properties<uses::BrightnessSeen>()},
           {"    @bake@", keywords(bake_keywords(texture), indent)},

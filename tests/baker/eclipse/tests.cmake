@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-coppermoon_tests(baker/eclipse LINKS coppermoon::eclipse QUICK contacts feature moment shadow_axis shadow_cone sky_columns)
+coppermoon_tests(baker/eclipse LINKS coppermoon::eclipse coppermoon::result QUICK contacts feature moment seen_sky shadow_axis shadow_cone)

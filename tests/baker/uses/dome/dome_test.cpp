@@ -12,6 +12,7 @@
 #include "atmosphere/astronomical_refraction.h"
 #include "atmosphere/sky_luminance.h"
 #include "colour/working_space.h"
+#include "result/as_json.h"
 #include "support/within.h"
 #include "uses/picture/brightness.h"
 #include "uses/picture/clear_sky.h"
@@ -52,7 +53,7 @@ ViewRequest from(const almanac::Observer& place, bool stars = false) {
 }
 
 double figure(const Dome& dome, const std::string& name) {
-  return std::ranges::find(dome.figures, name, &std::pair<std::string, double>::first)->second;
+  return result::as_json(dome.figures)[name].get<double>();
 }
 
 double luminance(const texture::Image& image, std::size_t row, std::size_t column) {

@@ -9,7 +9,8 @@
 
 #include "algebra/error.h"
 #include "almanac/gazetteer.h"
-#include "eclipse/sky_columns.h"
+#include "eclipse/seen_sky.h"
+#include "result/as_json.h"
 #include "support/within.h"
 #include "uses/night/calendar_file.h"
 #include "uses/picture/local_time.h"
@@ -76,9 +77,9 @@ TEST(Circumstances, TheLimbStandsInTheHorizonAtRise) {
                           std::asin(almanac::lunar_radius / view.moon_distance) * 57.29578;
   const double lowered_deg = 2.12 / 60 * std::sqrt(algebra::in_metres(night.place.elevation));
   EXPECT_WITHIN(limb_deg, -34. / 60 - lowered_deg, 1e-4, "degrees: 0.02 s of the Moon's way");
-  EXPECT_EQ(std::string(eclipse::view_columns()[0].name), "altitude_deg");
-  EXPECT_WITHIN(eclipse::view_columns()[0].value(view), algebra::in_degrees(rise.moon.altitude),
-                1e-9, "`sky` has the same altitude as `night`: rounding");
+  EXPECT_WITHIN(result::as_json(eclipse::SeenSky{{}, view})["altitude_deg"].get<double>(),
+                algebra::in_degrees(rise.moon.altitude), 1e-9,
+                "`sky` has the same altitude as `night`: rounding");
   EXPECT_FALSE(moment(night, "U1").up);
   EXPECT_TRUE(moment(night, "greatest").up);
 }

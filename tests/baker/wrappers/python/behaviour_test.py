@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: MIT
 """How the package behaves: interrupts, threads, memory, wrong input, its stubs and its docstrings."""
 import ast
+import copy
 import datetime
 import doctest
 import gc
 import inspect
 import json
+import multiprocessing
 import pathlib
+import pickle
 import re
 import resource
 import signal
@@ -149,7 +152,7 @@ class Memory(unittest.TestCase):
 class Places(unittest.TestCase):
     def test_mean_their_own_days_and_moonrises(self):
         los_angeles = coppermoon.sky("2026-08-27", at="Los Angeles")  # 21:13 there, 04:13 UTC of the 28th
-        self.assertEqual(los_angeles.when, coppermoon.sky("2026-08-28").when)
+        self.assertEqual(los_angeles.instant, coppermoon.sky("2026-08-28").instant)
         berlin = coppermoon.sky("2025-09-07 moonrise+20min", at="Berlin, Germany")
         self.assertTrue(1 < berlin.altitude_deg < 3)
         self.assertEqual(coppermoon.sky(when, at="51.5, -0.12").altitude_deg, coppermoon.sky(when, at=(51.5, -0.12)).altitude_deg)
@@ -178,13 +181,13 @@ class OtherKinds(unittest.TestCase):
                 self.assertTrue(numpy.shares_memory(numpy.array(made, copy=False), made.pixels))
 
     def test_moments(self):
-        instant = coppermoon.sky(when).when
+        instant = coppermoon.sky(when).instant
         for text in ("2018-07-27T20:21:45", "2018-07-27T20:21:45.000000000"):
-            self.assertEqual(coppermoon.sky(numpy.datetime64(text)).when, instant)
-        self.assertEqual(coppermoon.sky(numpy.datetime64("2018-07-27T20")).when, coppermoon.sky("2018-07-27T20:00Z").when)
-        greatest = coppermoon.sky("2018-07-27").when
+            self.assertEqual(coppermoon.sky(numpy.datetime64(text)).instant, instant)
+        self.assertEqual(coppermoon.sky(numpy.datetime64("2018-07-27T20")).instant, coppermoon.sky("2018-07-27T20:00Z").instant)
+        greatest = coppermoon.sky("2018-07-27").instant
         for day in (datetime.date(2018, 7, 27), numpy.datetime64("2018-07-27")):
-            self.assertEqual(coppermoon.sky(day).when, greatest)
+            self.assertEqual(coppermoon.sky(day).instant, greatest)
             self.assertEqual(coppermoon.nearest_eclipse(day).greatest, coppermoon.nearest_eclipse("2018-07-27").greatest)
             self.assertEqual(len(coppermoon.eclipses(datetime.date(2018, 1, 1), day)), 1, "midnight")
         with self.assertRaisesRegex(coppermoon.Error, "NaT"):
@@ -218,6 +221,46 @@ class OtherKinds(unittest.TestCase):
                 value = names.pop(node.targets[0].id)
                 self.assertTrue(isinstance(value, tuple(typing.get_origin(kind) or kind for kind in kinds)))
         self.assertEqual(names, {})
+
+
+class Results(unittest.TestCase):
+    """Results are values: they are compared, pickled and shown by what they describe."""
+
+    @classmethod
+    def setUpClass(cls):
+        eclipse = coppermoon.nearest_eclipse("2018-07-27")
+        cls.all = [eclipse, coppermoon.nearest_eclipse("-0584-05-28"), coppermoon.sky(when), coppermoon.sky(when, at="Nairobi"),
+                   coppermoon.shadow_profile(when, [550, 650], [0, 4000], air=clear),
+                   coppermoon.moonlight(when, air=clear, light=draft), coppermoon.bake(when, **small),
+                   coppermoon.brightness(when, at="Nairobi", air=clear, light=draft, albedo_map="built-in"),
+                   coppermoon.dome(when, at="Nairobi", width=16, unshadowed=True, albedo_map="built-in"),
+                   coppermoon.Air(ozone_du=250, regions=[coppermoon.Region(from_latitude=0, to_latitude=90, cloud_cover=1)]),
+                   coppermoon.Light(tolerance=None, budget_s=1), coppermoon.Region(from_latitude=0, to_latitude=90)]
+
+    def test_come_back_equal_from_pickles_and_pools(self):
+        with multiprocessing.get_context("spawn").Pool(1) as pool:
+            for result, from_pool in zip(self.all, pool.map(copy.copy, self.all)):
+                with self.subTest(repr(result)):
+                    again = pickle.loads(pickle.dumps(result))
+                    self.assertEqual((again, from_pool), (result, result))
+                    self.assertEqual((hash(again), repr(again)), (hash(result), repr(result)))
+                    self.assertTrue(repr(result).startswith(type(result).__name__ + "("))
+
+    def test_are_not_equal_to_others(self):
+        for i, one in enumerate(self.all):
+            for other in [*self.all[:i], None, {}]:
+                self.assertNotEqual(one, other)
+
+    def test_of_arrays_are_equal_by_their_arrays(self):
+        light = coppermoon.moonlight(when, air=clear, light=draft)
+        self.assertEqual(light, self.all[5])
+        self.assertNotEqual(light, coppermoon.moonlight(when, air=coppermoon.Air(atmosphere="molecular"), light=draft))
+        again = pickle.loads(pickle.dumps(light))
+        numpy.testing.assert_array_equal(again.ratio([0, 60], [0, 30]), light.ratio([0, 60], [0, 30]))
+
+    def test_properties_say_their_units(self):
+        self.assertEqual(coppermoon.Sky.moon_distance_km.__doc__, "distance of the Moon from the Earth's centre [km]")
+        self.assertEqual(self.all[7].seen.extinction_mag.keys(), {"B", "V", "R"})
 
 
 class Errors(unittest.TestCase):

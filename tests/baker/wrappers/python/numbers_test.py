@@ -25,7 +25,7 @@ class Shadow(unittest.TestCase):
         profile = coppermoon.shadow_profile(when, [420, 550, 680], numpy.fromstring(distances, sep=","),
                                             air=coppermoon.Air(atmosphere="undated"))
         self.assertEqual(len(rows), 5)
-        for row, km, ratio, error in zip(rows[1:], profile.axis_distances_km, profile.ratio, profile.standard_error):
+        for row, km, ratio, error in zip(rows[1:], profile.axis_distance_km, profile.irradiance_ratio, profile.standard_error):
             numbers = [f"{km:g}"]
             for r, e in zip(ratio, error):
                 numbers += [f"{r:.6g}", f"{e:.3g}"]
@@ -36,14 +36,14 @@ class Shadow(unittest.TestCase):
                        "--solver", "photons", "--photons", "20000", "--seed", "5").splitlines()
         profile = coppermoon.shadow_profile(when, [600], [3000], air=clear,
                                             light=coppermoon.Light(solver="photons", photons=2e4, seed=5))
-        self.assertEqual(rows[1], f"3000,{profile.ratio[0, 0]:.6g},{profile.standard_error[0, 0]:.3g}")
+        self.assertEqual(rows[1], f"3000,{profile.irradiance_ratio[0, 0]:.6g},{profile.standard_error[0, 0]:.3g}")
         self.assertGreater(profile.standard_error[0, 0], 0)
 
     def test_goes_by_position_angle_and_reaches_sunlight(self):
         profile = coppermoon.shadow_profile(when, [550], position_angle_deg=90, air=clear)
-        numpy.testing.assert_array_equal(numpy.diff(profile.axis_distances_km[:-1]), 100)
+        numpy.testing.assert_array_equal(numpy.diff(profile.axis_distance_km[:-1]), 100)
         # direct sunlight beyond the penumbra, to rounding
-        self.assertAlmostEqual(profile.ratio[-1, 0], 1, delta=1e-3)
+        self.assertAlmostEqual(profile.irradiance_ratio[-1, 0], 1, delta=1e-3)
 
 
 class Domes(unittest.TestCase):
@@ -63,7 +63,7 @@ class Eclipses(unittest.TestCase):
     def test_have_moments_by_their_contacts_as_for_the_command(self):
         for text in ("2018-07-27", "2018-07-27 U2+10min", "2018-07-27 greatest", "2018-07-27 P4-0.5h"):
             said = json.loads(command("sky", text, "--json"))["instant"]
-            self.assertEqual(coppermoon.sky(text).when, datetime.datetime.fromisoformat(said))
+            self.assertEqual(coppermoon.sky(text).instant, datetime.datetime.fromisoformat(said))
         with self.assertRaisesRegex(coppermoon.Error, "allowed an instant or one of"):
             coppermoon.sky("2018-07-27 U9")
 
@@ -105,7 +105,7 @@ class Sky(unittest.TestCase):
     def test_takes_moments_of_any_zone(self):
         nairobi = datetime.timezone(datetime.timedelta(hours=3))
         here = datetime.datetime(2018, 7, 27, 23, 21, 45, 250000, tzinfo=nairobi)
-        self.assertEqual(coppermoon.sky(here).when, here)
+        self.assertEqual(coppermoon.sky(here).instant, here)
         self.assertEqual(coppermoon.sky("2018-07-27T23:21:45.25+03:00").axis_distance_km, coppermoon.sky(here).axis_distance_km)
 
     def test_matrix_turns_the_moon_to_the_earth(self):
@@ -187,8 +187,8 @@ class Moonlight(unittest.TestCase):
         # the farthest ground is 745 + 1737 km from the axis. The profile is the mean around the axis: an ellipsoid's light
         # differs by a tenth from it
         profile = coppermoon.shadow_profile(when, light.wavelengths_nm, numpy.arange(0, 2501, 100), air=clear)
-        self.assertTrue((ratio > 0.9 * profile.ratio.min(axis=0)).all())
-        self.assertTrue((ratio < 1.1 * profile.ratio.max(axis=0)).all())
+        self.assertTrue((ratio > 0.9 * profile.irradiance_ratio.min(axis=0)).all())
+        self.assertTrue((ratio < 1.1 * profile.irradiance_ratio.max(axis=0)).all())
         self.assertLess(ratio[..., 0].max(), ratio[..., -1].min())  # copper
 
 

@@ -1,44 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "verbs/reports/tradeoff_files.h"
+#include "uses/tradeoff/tradeoff_files.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-namespace coppermoon::verbs {
+namespace coppermoon::uses {
 namespace {
-
-using uses::Measured, uses::Trial;
-
-struct Column {
-  std::string_view name;
-  double Trial::*setting;
-};
-
-constexpr std::array<Column, 6> setting_columns{{{"photons", &Trial::photons},
-                                                 {"step_km", &Trial::step_km},
-                                                 {"wavelengths", &Trial::wavelengths},
-                                                 {"rays", &Trial::rays},
-                                                 {"replicas", &Trial::replicas},
-                                                 {"texture_width", &Trial::texture_width}}};
-
-struct Figure {
-  std::string_view name;
-  double value;
-};
-
-std::array<Figure, 7> figures_of(const Measured& one) {
-  return {{{"seconds", one.seconds},
-           {"umbra_rms", one.errors.umbra.rms},
-           {"umbra_worst", one.errors.umbra.worst},
-           {"penumbra_rms", one.errors.penumbra.rms},
-           {"penumbra_worst", one.errors.penumbra.worst},
-           {"delta_e_mean", one.errors.picture.mean},
-           {"delta_e_99", one.errors.picture.percentile_99}}};
-}
 
 /// Number in text: 10000 and more as 1e4, less as it is.
 std::string number(double value) {
@@ -48,14 +18,12 @@ std::string number(double value) {
 }
 
 /// Settings that the solver has, without the varied one.
-std::string settings_of(const Measured& one) {
+std::string settings_in_words(const Measured& one) {
   std::string text;
-  for (const auto& [column, setting] : setting_columns) {
-    std::string name(column);
+  for (auto [name, value] : settings_of(one.trial)) {
     std::ranges::replace(name, '_', ' ');
-    const double value = one.trial.*setting;
-    if (value == 0 || name.starts_with(one.varied)) continue;
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, number(value));
+    if (!value || name.starts_with(one.varied)) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, number(*value));
   }
   return text;
 }
@@ -109,11 +77,11 @@ bool apart(const Measured& one, const Measured& other) {
 }
 
 /// Adds a curve unless it has no rows.
-void add(std::vector<uses::PlotCurve>& curves, uses::PlotCurve curve) {
+void add(std::vector<PlotCurve>& curves, PlotCurve curve) {
   if (!curve.rows.empty()) curves.push_back(std::move(curve));
 }
 
-void add_sweep(std::vector<uses::PlotCurve>& curves, std::span<const Measured> sweep) {
+void add_sweep(std::vector<PlotCurve>& curves, std::span<const Measured> sweep) {
   const auto& one = sweep[0];
   const auto look = [&](std::string_view as) {
     return fmt::format("{} lc rgb '{}'", as, colour_of(one.trial.solver));
@@ -134,23 +102,6 @@ void add_sweep(std::vector<uses::PlotCurve>& curves, std::span<const Measured> s
 
 }  // namespace
 
-std::string as_csv(std::span<const Measured> all) {
-  std::string text = "solver,varied,value";
-  for (const auto& column : setting_columns) text += fmt::format(",{}", column.name);
-  for (const auto& figure : figures_of({})) text += fmt::format(",{}", figure.name);
-  text += ",extrapolated\n";
-  for (const auto& one : all) {
-    text += fmt::format("{},{},{:g}", name(one.trial.solver), one.varied, one.value);
-    for (const auto& column : setting_columns) {
-      const double value = one.trial.*column.setting;
-      text += value == 0 ? "," : fmt::format(",{:g}", value);
-    }
-    for (const auto& figure : figures_of(one)) text += fmt::format(",{:.4g}", figure.value);
-    text += one.extrapolated ? ",yes\n" : ",no\n";
-  }
-  return text;
-}
-
 std::string as_markdown(std::span<const Measured> all) {
   std::string text =
       "| solver | varied | value | settings | seconds | umbra, RMS | worst | penumbra, RMS | worst "
@@ -160,7 +111,7 @@ std::string as_markdown(std::span<const Measured> all) {
   for (const auto& one : all)
     text +=
         fmt::format("| {} | {} | {} | {} | {:.3g} | {} | {} | {} | {} | {:.3g} | {:.3g} | {} |\n",
-                    name(one.trial.solver), one.varied, number(one.value), settings_of(one),
+                    name(one.trial.solver), one.varied, number(one.value), settings_in_words(one),
                     one.seconds, percent(one.errors.umbra.rms), percent(one.errors.umbra.worst),
                     percent(one.errors.penumbra.rms), percent(one.errors.penumbra.worst),
                     one.errors.picture.mean, one.errors.picture.percentile_99,
@@ -168,26 +119,11 @@ std::string as_markdown(std::span<const Measured> all) {
   return text;
 }
 
-nlohmann::ordered_json as_json(std::span<const Measured> all) {
-  auto rows = nlohmann::ordered_json::array();
-  for (const auto& one : all) {
-    nlohmann::ordered_json row{
-        {"solver", name(one.trial.solver)}, {"varied", one.varied}, {"value", one.value}};
-    for (const auto& [name, setting] : setting_columns)
-      row[std::string(name)] = one.trial.*setting == 0 ? nlohmann::ordered_json(nullptr)
-                                                       : nlohmann::ordered_json(one.trial.*setting);
-    for (const auto& [name, value] : figures_of(one)) row[std::string(name)] = value;
-    row["extrapolated"] = one.extrapolated;
-    rows.push_back(std::move(row));
-  }
-  return rows;
-}
-
-uses::Plot as_plot(std::span<const Measured> all) {
-  std::vector<uses::PlotCurve> curves;
+Plot as_plot(std::span<const Measured> all) {
+  std::vector<PlotCurve> curves;
   while (!all.empty()) {
     const auto sweep = first_sweep(all);
-    if (sweep[0].varied != uses::texture_sweep) add_sweep(curves, sweep);
+    if (sweep[0].varied != texture_sweep) add_sweep(curves, sweep);
     if (sweep[0].varied == "photons")
       add(curves, {rows_of(sweep, [](const Measured& one) { return is_the_papers(one.trial); }),
                    "points pt 3 ps 2 lc rgb 'black'", "Yapo and Cutler (2009)"});
@@ -204,4 +140,4 @@ uses::Plot as_plot(std::span<const Measured> all) {
           .margin = 0.03};
 }
 
-}  // namespace coppermoon::verbs
+}  // namespace coppermoon::uses
