@@ -20,6 +20,16 @@ std::vector<double> chebyshev_series(std::span<const double> values) {
   return coefficients;
 }
 
+std::vector<std::vector<double>> chebyshev_series(const std::vector<std::vector<double>>& values) {
+  std::vector<std::vector<double>> series;
+  for (std::size_t component = 0; component < values.front().size(); ++component) {
+    std::vector<double> one;
+    for (const auto& at_node : values) one.push_back(at_node[component]);
+    series.push_back(chebyshev_series(one));
+  }
+  return series;
+}
+
 std::vector<double> power_series(std::span<const double> chebyshev) {
   // T_k+1 = 2 x T_k − T_k−1
   const auto n = chebyshev.size();

@@ -14,6 +14,12 @@ double chebyshev_node(int i, int n);
 /// Given  values  [node], one or more
 std::vector<double> chebyshev_series(std::span<const double> values);
 
+/// The same for a function of several components.
+///
+/// Given     values  [node][component]
+/// Returned  [component][coefficient]
+std::vector<std::vector<double>> chebyshev_series(const std::vector<std::vector<double>>& values);
+
 /// Coefficients a of the power series Σ a_k x^k that equals a Chebyshev series.
 ///
 /// Accuracy  rounding grows by about 2.4 for each degree: for a few coefficients

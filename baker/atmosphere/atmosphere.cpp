@@ -88,12 +88,13 @@ algebra::Wavelength wavelength_of(const Optics& optics) {
 /// Row of the table of absorbers.
 struct Constituent {
   Absorber absorber;
-  std::string_view name;
+  std::string_view group;
   bool (*in)(const Column&);
   double (*profile)(const Column&, double altitude_m);
   double (*spectrum)(const Column&, const Optics&);
   double (*scattering)(const Column&, double cosine) = nullptr;  ///< none: it absorbs alone
   Edges (*edges)(const Column&) = nullptr;                       ///< none: those of the density
+  double Column::*cloud_or_aerosol = nullptr;  ///< its amount, where it is one of these
 };
 
 constexpr std::array<Constituent, absorbers> constituents{{
@@ -117,14 +118,14 @@ constexpr std::array<Constituent, absorbers> constituents{{
      [](const Column& c) {
        return Edges{c.dust_bottom_m, c.dust_top_m};
      }},
-    {troposphere, "troposphere", [](const Column& c) { return c.tropospheric_optical_depth > 0; },
+    {troposphere, "aerosol", [](const Column& c) { return c.tropospheric_optical_depth > 0; },
      [](const Column& c, double h) {
        return tropospheric_profile_per_m(c.tropospheric_scale_m, h);
      },
      [](const Column& c, const Optics& o) {
        return c.tropospheric_optical_depth * tropospheric_spectrum(wavelength_of(o));
      },
-     tropospheric},
+     tropospheric, nullptr, &Column::tropospheric_optical_depth},
     {stratosphere, "stratosphere",
      [](const Column& c) {
        return c.stratospheric_factor > 0 &&
@@ -143,35 +144,36 @@ constexpr std::array<Constituent, absorbers> constituents{{
      stratospheric},
     {cloud, "cloud", [](const Column& c) { return c.cloud_per_m > 0; },
      [](const Column& c, double h) { return cloud_profile(c.tropopause_m, h); },
-     [](const Column& c, const Optics&) { return c.cloud_per_m; }, nullptr, around_the_tropopause},
-    {cirrus, "cirrus", [](const Column& c) { return c.cirrus > 0; },
+     [](const Column& c, const Optics&) { return c.cloud_per_m; }, nullptr, around_the_tropopause,
+     &Column::cloud_per_m},
+    {cirrus, "cloud", [](const Column& c) { return c.cirrus > 0; },
      [](const Column& c, double h) { return cirrus_extinction_per_m(c.tropopause_m, h); },
-     [](const Column& c, const Optics&) { return c.cirrus; }, nullptr, around_the_tropopause},
-    {free_troposphere, "freeTroposphere",
-     [](const Column& c) { return c.free_troposphere_per_m > 0; },
+     [](const Column& c, const Optics&) { return c.cirrus; }, nullptr, around_the_tropopause,
+     &Column::cirrus},
+    {free_troposphere, "aerosol", [](const Column& c) { return c.free_troposphere_per_m > 0; },
      [](const Column& c, double h) { return free_troposphere_profile(c.tropopause_m, h); },
      [](const Column& c, const Optics& o) {
        return c.free_troposphere_per_m * tropospheric_spectrum(wavelength_of(o));
      },
-     tropospheric},
-    {oxygen_pairs, "oxygenPairs",
+     tropospheric, nullptr, &Column::free_troposphere_per_m},
+    {oxygen_pairs, "gas",
      [](const Column& c) { return c.oxygen_pairs && c.density != Density::none; },
      [](const Column& c, double h) { return std::pow(density_ratio(c, h).value, 2); },
      [](const Column&, const Optics& o) {
        return sea_level_oxygen_per_m3 * sea_level_oxygen_per_m3 *
               oxygen_pair_cross_section_m5(wavelength_of(o));
      }},
-    {nitrogen_dioxide, "nitrogenDioxide",
+    {nitrogen_dioxide, "gas",
      [](const Column& c) { return c.nitrogen_dioxide && c.density != Density::none; },
      [](const Column&, double h) { return nitrogen_dioxide_per_m3(h); },
      [](const Column&, const Optics& o) {
        return nitrogen_dioxide_cross_section_m2(wavelength_of(o));
      }},
-    {oxygen_bands, "oxygenBands",
+    {oxygen_bands, "gas",
      [](const Column& c) { return c.oxygen_bands && c.density != Density::none; },
      [](const Column& c, double h) { return density_ratio(c, h).value; },
      [](const Column&, const Optics& o) { return oxygen_bands_per_m(wavelength_of(o)); }},
-    {water_vapour, "waterVapour",
+    {water_vapour, "gas",
      [](const Column& c) { return c.water_vapour > 0 && c.density != Density::none; },
      [](const Column&, double h) { return water_vapour_profile(h); },
      [](const Column& c, const Optics& o) {
@@ -386,10 +388,16 @@ Optics sea_level_optics(algebra::Wavelength wavelength, const Molecules& molecul
           algebra::in_nanometres(wavelength)};
 }
 
-std::array<std::string_view, absorbers> absorber_names() {
-  std::array<std::string_view, absorbers> names;
-  std::ranges::transform(constituents, names.begin(), &Constituent::name);
-  return names;
+std::array<std::string_view, absorbers> absorber_groups() {
+  std::array<std::string_view, absorbers> groups;
+  std::ranges::transform(constituents, groups.begin(), &Constituent::group);
+  return groups;
+}
+
+void scale_cloud_and_aerosol(Column& column, double factor) {
+  for (const auto& one : constituents)
+    if (one.cloud_or_aerosol) column.*one.cloud_or_aerosol *= factor;
+  column.cloud_cover *= factor;
 }
 
 bool has(const Column& column, Absorber absorber) { return constituents[absorber].in(column); }

@@ -192,8 +192,12 @@ enum Absorber : std::size_t {
 };
 using Amounts = std::array<double, absorbers>;
 
-/// Names of the absorbers, one word each.
-std::array<std::string_view, absorbers> absorber_names();
+/// Groups of the absorbers, of which a change of the air takes all: "air", "ozone", "dust", "aerosol" below the
+/// stratosphere, "stratosphere", "cloud", "gas".
+std::array<std::string_view, absorbers> absorber_groups();
+
+/// Multiplies a column's cloud, also a deck's, and its aerosol below the stratosphere.
+void scale_cloud_and_aerosol(Column& column, double factor);
 
 /// Whether a column has an absorber.
 bool has(const Column& column, Absorber absorber);

@@ -24,32 +24,28 @@ using std::numbers::pi;
 constexpr int smoothings = 2;
 
 /// Grid of a table of whole numbers, row by row, times a unit.
-Grid<float> grid_of(std::string_view text, std::string_view name, double unit) {
+Grid<float> grid_of(std::string_view text, double unit) {
   const auto lines = algebra::parse_text_table(text);
   Grid<float> grid(lines.size(), lines.front().size());
   for (std::size_t r = 0; r < grid.rows(); ++r)
-    for (std::size_t c = 0; c < grid.columns(); ++c) {
-      const auto value =
-          lines[r].size() == grid.columns() ? algebra::number_in(lines[r][c]) : std::nullopt;
-      if (!value) throw algebra::Error(fmt::format("{}: row {} is no row of numbers", name, r + 1));
-      grid(r, c) = static_cast<float>(*value * unit);
-    }
+    for (std::size_t c = 0; c < grid.columns(); ++c)
+      grid(r, c) = static_cast<float>(algebra::number_in(lines.at(r).at(c)).value() * unit);
   return grid;
 }
 
 /// Map filtered by a binomial of three rows and three columns, across the seam; the outermost rows are repeated.
 Grid<float> smoothed(const Grid<float>& map) {
   const std::size_t rows = map.rows(), columns = map.columns();
+  const auto binomial = [](float a, float b, float c) { return (a + 2 * b + c) / 4; };
   Grid<float> along(rows, columns), both(rows, columns);
   for (std::size_t r = 0; r < rows; ++r)
     for (std::size_t c = 0; c < columns; ++c)
       along(r, c) =
-          (map(r, (c + columns - 1) % columns) + 2 * map(r, c) + map(r, (c + 1) % columns)) / 4;
+          binomial(map(r, (c + columns - 1) % columns), map(r, c), map(r, (c + 1) % columns));
   for (std::size_t r = 0; r < rows; ++r)
     for (std::size_t c = 0; c < columns; ++c)
       both(r, c) =
-          (along(r == 0 ? 0 : r - 1, c) + 2 * along(r, c) + along(std::min(r + 1, rows - 1), c)) /
-          4;
+          binomial(along(r == 0 ? 0 : r - 1, c), along(r, c), along(std::min(r + 1, rows - 1), c));
   return both;
 }
 
@@ -134,10 +130,9 @@ double share_of_surge(algebra::Angle phase) {
 }  // namespace
 
 Ground measured_ground() {
-  auto ratio = grid_of(tables::lunar_blue_ratio(), "lunar_blue_ratio.csv", 1e-3);
+  auto ratio = grid_of(tables::lunar_blue_ratio(), 1e-3);
   for (float& value : ratio.values()) value = std::log(value);
-  return {measured(std::move(ratio)),
-          measured(grid_of(tables::lunar_surge_amplitude(), "lunar_surge_amplitude.csv", 1e-2))};
+  return {measured(std::move(ratio)), measured(grid_of(tables::lunar_surge_amplitude(), 1e-2))};
 }
 
 Ground ground_under(const Grid<float>& normal_albedo, Photometry photometry) {

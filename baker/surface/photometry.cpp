@@ -52,18 +52,9 @@ double radiance_factor(Photometry photometry, double cos_incidence, double cos_e
          phase_factor(photometry, phase);
 }
 
-double radiance_factor_yapo_cutler(double cos_incidence) {
-  return radiance_factor(Photometry::yapo_cutler, cos_incidence, cos_incidence, full_moon_phase);
-}
-
-double radiance_factor_lommel_seeliger_rolo(double cos_incidence, double cos_emission,
-                                            algebra::Angle phase) {
-  return radiance_factor(Photometry::lommel_seeliger_rolo, cos_incidence, cos_emission, phase);
-}
-
 double radiance_factor_at_full_moon(Photometry photometry, double cos_incidence) {
-  if (photometry == Photometry::yapo_cutler) return radiance_factor_yapo_cutler(cos_incidence);
-  return cos_incidence > 0 ? 1 : 0;
+  if (photometry == Photometry::lommel_seeliger_rolo) return cos_incidence > 0 ? 1 : 0;
+  return radiance_factor(photometry, cos_incidence, cos_incidence, full_moon_phase);
 }
 
 }  // namespace coppermoon::surface

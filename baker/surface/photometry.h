@@ -5,10 +5,39 @@
 
 namespace coppermoon::surface {
 
-/// Photometric functions: radiance factor (I/F) over normal albedo.
+/// Photometric functions: radiance factor (I/F) over normal albedo. mu0 is the cosine of the angle between the
+/// surface normal and the Sun, mu that between the normal and the viewer, g the phase.
 enum class Photometry {
-  yapo_cutler,           ///< radiance_factor_yapo_cutler: the same at every phase
-  lommel_seeliger_rolo,  ///< radiance_factor_lommel_seeliger_rolo: with the opposition surge
+  /// Function of Yapo & Cutler: a full Moon without darkening until close to the limb.
+  ///
+  ///     f(mu0) = mu0 / (0.1 + 0.9 mu0)
+  ///
+  /// The numerator is Lambert's cosine, the denominator the paper's correction. The mean over the disc of the full
+  /// Moon, 2 times the integral of mu f(mu) over 0 < mu < 1, is 0.92737.
+  ///
+  /// Omits     phase and emission: no opposition surge, equal radiance in all directions
+  /// Source    Yapo & Cutler (2009), Rendering Lunar Eclipses, Eq. 13
+  yapo_cutler,
+  /// Lommel-Seeliger law, with the phase curve that reproduces ROLO's measurements of the whole disc:
+  ///
+  ///     f(mu0, mu, g) = 2 mu0 / (mu0 + mu) F(g) / F(1.5 deg)        F(g) = A(g) / Phi(g)
+  ///     ln A = sum_i a_i g^i + d1 exp(-g/4.06054) + d2 exp(-g/12.8802)
+  ///            + d3 cos((g + 30.5858)/16.7498)                      g [deg], but [rad] in the sum
+  ///     Phi = 1 - sin(g/2) tan(g/2) ln cot(g/4)
+  ///
+  /// A is the disc reflectance, its coefficients the mean of the bands at 544.0, 549.1 and 553.8 nm (so A is their
+  /// geometric mean); Phi is the phase curve of a uniform Lommel-Seeliger sphere. f is 0 to 2.32; the largest values,
+  /// 2 F/F(1.5 deg), at grazing emission. ROLO observed 1.55 to 97 degrees of phase. Below, the expression is
+  /// extrapolated, to F(0)/F(1.5 deg) = 1.157; beyond 97 degrees F is held.
+  ///
+  /// Accuracy  whole disc: 1 % against ROLO's three bands from 1.55 to 10 degrees, 0.06 magnitudes against
+  ///           Allen's phase law from 10 to 90. Highlands and maria have one phase curve (surge_slope gives
+  ///           their departures)
+  /// Omits     local width of the surge; its colour (a few percent); roughness, which matters far from full Moon;
+  ///           the waxing Moon's being brighter than the waning one by a few percent
+  /// Source    Kieffer & Stone (2005), The spectral irradiance of the Moon, AJ 129, 2887, Table 4;
+  ///           Phi: Hapke (2012), Theory of Reflectance and Emittance Spectroscopy
+  lommel_seeliger_rolo,
 };
 
 /// Phase at which both functions are 1 at normal incidence, and to which the full Moon's geometric albedo refers:
@@ -41,40 +70,5 @@ double phase_factor(Photometry photometry, algebra::Angle phase);
 /// Radiance factor on the full Moon's disc, with Sun and viewer in the same direction: mu0 = mu, phase 1.5
 /// degrees. With lommel_seeliger_rolo it is 1 up to the limb.
 double radiance_factor_at_full_moon(Photometry photometry, double cos_incidence);
-
-/// Photometric function of Yapo & Cutler: a full Moon without darkening until close to the limb.
-///
-///     f(mu0) = mu0 / (0.1 + 0.9 mu0)
-///
-/// The numerator is Lambert's cosine, the denominator the paper's correction.
-///
-/// Returned  0 where mu0 <= 0; the mean over the disc of the full Moon, 2 times the integral of
-///           mu f(mu) over 0 < mu < 1, is 0.92737
-/// Omits     phase and emission: no opposition surge, equal radiance in all directions
-/// Source    Yapo & Cutler (2009), Rendering Lunar Eclipses, Eq. 13
-double radiance_factor_yapo_cutler(double cos_incidence);
-
-/// Lommel-Seeliger law, with the phase curve that reproduces ROLO's measurements of the whole disc:
-///
-///     f(mu0, mu, g) = 2 mu0 / (mu0 + mu) F(g) / F(1.5 deg)        F(g) = A(g) / Phi(g)
-///     ln A = sum_i a_i g^i + d1 exp(-g/4.06054) + d2 exp(-g/12.8802)
-///            + d3 cos((g + 30.5858)/16.7498)                      g [deg], but [rad] in the sum
-///     Phi = 1 - sin(g/2) tan(g/2) ln cot(g/4)
-///
-/// A is the disc reflectance, its coefficients the mean of the bands at 544.0, 549.1 and 553.8 nm
-/// (so A is their geometric mean); Phi is the phase curve of a uniform Lommel-Seeliger sphere.
-///
-/// Given     phase     g; ROLO observed 1.55 to 97 degrees. Below, the expression is extrapolated, to
-///                     F(0)/F(1.5 deg) = 1.157; beyond 97 degrees F is held
-/// Returned  0 to 2.32; the largest values, 2 F/F(1.5 deg), at grazing emission
-/// Accuracy  whole disc: 1 % against ROLO's three bands from 1.55 to 10 degrees, 0.06 magnitudes against
-///           Allen's phase law from 10 to 90. Highlands and maria have one phase curve (surge_slope gives
-///           their departures)
-/// Omits     local width of the surge; its colour (a few percent); roughness, which matters far from full Moon;
-///           the waxing Moon's being brighter than the waning one by a few percent
-/// Source    Kieffer & Stone (2005), The spectral irradiance of the Moon, AJ 129, 2887, Table 4;
-///           Phi: Hapke (2012), Theory of Reflectance and Emittance Spectroscopy
-double radiance_factor_lommel_seeliger_rolo(double cos_incidence, double cos_emission,
-                                            algebra::Angle phase);
 
 }  // namespace coppermoon::surface

@@ -64,9 +64,10 @@ StillFlags still_flags_of(const std::string& file) {
   return flags;
 }
 
-/// Geometry of a frame, and the glow of the camera that takes its picture.
+/// Sky and camera of a frame, and the glow of the camera that takes its picture.
 struct FrameGeometry {
-  uses::FramePlaces places;
+  almanac::SkyState sky;
+  povray_scenes::SceneCamera camera;
   double glow = 0;
 };
 
@@ -79,8 +80,7 @@ FrameGeometry geometry_of(const std::string& file) {
   const auto sky = almanac::sky_at(instant_of(flags.moon.moment, flags.view.observer));
   const auto view = uses::seen_through(flags.camera, flags.view);
   const auto camera = uses::camera_of(flags.camera);
-  return {uses::frame_places(sky, uses::view_for_frame(view, sky).view.camera),
-          camera ? camera->glow : 0};
+  return {sky, uses::view_for_frame(view, sky).view.camera, camera ? camera->glow : 0};
 }
 
 /// Light of a render, converted to linear Rec.709 from its header's space.
@@ -93,12 +93,12 @@ texture::Image light_of(const std::string& render) {
   return space == uses::picture_space ? light : uses::in_space(light, space, uses::picture_space);
 }
 
-texture::Image read_render(const Options& options, const uses::FramePlaces& places) {
+texture::Image read_render(const Options& options, const povray_scenes::SceneCamera& camera) {
   auto render = light_of(options.render);
-  if (render.width != places.camera.width || render.height != places.camera.height)
+  if (render.width != camera.width || render.height != camera.height)
     throw algebra::Error(fmt::format("{}: {} x {} pixels, allowed {} x {}, as its recipe says",
-                                     options.render, render.width, render.height,
-                                     places.camera.width, places.camera.height));
+                                     options.render, render.width, render.height, camera.width,
+                                     camera.height));
   return render;
 }
 
@@ -287,12 +287,12 @@ void run(const Options& options) {
   const auto exif = exif_to_use(options, coding);
   warn_of_another_camera(options.render, options.response);
   warn_of_developers({options.photo}, options.coding);
-  const auto [places, glow] =
+  const auto [sky, camera, glow] =
       geometry_of(options.recipe_in.empty() ? options.render : options.recipe_in);
   const auto photo = uses::photo_light(options.photo, coding, options.response),
-             frame = read_render(options, places);
-  const Found found{places.sky.when, exif, coding,
-                    uses::compared(photo, frame, places,
+             frame = read_render(options, camera);
+  const Found found{sky.when, exif, coding,
+                    uses::compared(photo, frame, sky, camera,
                                    {exif, coding == texture::Coding::camera, glow, options.bins})};
   if (!options.output.empty())
     texture::write_png(options.output, uses::comparison_sheet(photo, found.comparison), 8);

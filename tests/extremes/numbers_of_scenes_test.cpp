@@ -400,11 +400,11 @@ TEST(Photometry, IsBoundedFromGrazingLightToLightFromAbove) {
   for (double mu0 = 1e-300; mu0 <= 1; mu0 *= 1e10)
     for (const double mu : {-1., 0., 1e-300, 1e-5, 1.})
       for (const double phase_deg : {0., 1e-12, 1.5, 97., 180.})
-        worst.see(
-            surface::radiance_factor_lommel_seeliger_rolo(mu0, mu, algebra::degrees(phase_deg)));
+        worst.see(surface::radiance_factor(surface::Photometry::lommel_seeliger_rolo, mu0, mu,
+                                           algebra::degrees(phase_deg)));
   holds("cosines from 1e-300 to 1, phases 0 to 180 degrees", "Lommel-Seeliger's factor", 2.32,
         worst, "as photometry.h states");
-  EXPECT_EQ(surface::radiance_factor_lommel_seeliger_rolo(0, 0, {}), 0);
+  EXPECT_EQ(surface::radiance_factor(surface::Photometry::lommel_seeliger_rolo, 0, 0, {}), 0);
 }
 
 }  // namespace

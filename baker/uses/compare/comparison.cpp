@@ -2,24 +2,27 @@
 #include "uses/compare/comparison.h"
 
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <execution>
 #include <functional>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
 #include <map>
+#include <numeric>
 
 #include "algebra/error.h"
 #include "colour/difference.h"
 #include "colour/glow.h"
 #include "colour/working_space.h"
+#include "eclipse/shadow_axis.h"
+#include "povray_scenes/sight.h"
 #include "uses/picture/camera.h"
 #include "uses/picture/disc_outline.h"
 #include "uses/picture/pixels.h"
@@ -108,30 +111,49 @@ texture::Image glowing(texture::Image frame, double share,
 constexpr float of_brightest = 0.99F;
 
 float brightest_of(const texture::Image& image) {
-  constexpr std::size_t at_once = 65536;
-  const auto& values = image.values;
-  return tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, values.size(), at_once), values.front(),
-      [&](const auto& part, float most) {
-        for (std::size_t i = part.begin(); i < part.end(); ++i) most = std::max(most, values[i]);
-        return most;
-      },
-      [](float one, float other) { return std::max(one, other); });
+  return std::reduce(std::execution::par_unseq, image.values.begin(), image.values.end(),
+                     image.values.front(), [](float a, float b) { return std::max(a, b); });
+}
+
+bool any_channel_reaches(const glm::dvec3& rgb, double value) {
+  return std::max({rgb.r, rgb.g, rgb.b}) >= value;
+}
+
+/// Upper median; its order is lost.
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Distance from the shadow's axis of the ground that a place of a frame shows [km]; nothing beside the Moon and beyond
+/// 0.97 of its radius.
+std::optional<double> axis_distance_km(const almanac::SkyState& sky,
+                                       const eclipse::ShadowAxis& axis,
+                                       const povray_scenes::Sight& sight, const glm::dvec2& pixel) {
+  constexpr double least_emission_cosine = 0.25;  // 0.97 of the disc's radius
+  const auto ground = povray_scenes::ground_at(sight, pixel);
+  if (!ground ||
+      glm::dot(*ground, glm::normalize(sight.position - *ground)) < least_emission_cosine)
+    return std::nullopt;
+  return algebra::in_kilometres(eclipse::place_of_ground(axis, sky, *ground).axis_distance);
 }
 
 /// Pixels of a photograph where the disc is; of a large photograph every n-th row and column, as if it had some
 /// million pixels in all.
 Pixels shared_pixels(const texture::Image& photo, const texture::Image& render,
-                     const FramePlaces& places, const colour::Similarity& render_to_photo) {
+                     const almanac::SkyState& sky, const povray_scenes::SceneCamera& camera,
+                     const colour::Similarity& render_to_photo) {
   constexpr double enough = 1e6;
+  const auto axis = eclipse::shadow_axis(sky);
+  const auto sight = povray_scenes::sight_of(camera);
   const auto back = colour::inverse(render_to_photo);
   const float clipped = of_brightest * brightest_of(photo);
   const std::array channels{channel_of(render, 0), channel_of(render, 1), channel_of(render, 2)};
   const std::array there{colour::Resampled(channels[0], render_to_photo),
                          colour::Resampled(channels[1], render_to_photo),
                          colour::Resampled(channels[2], render_to_photo)};
-  const auto width = static_cast<double>(places.camera.width),
-             height = static_cast<double>(places.camera.height);
+  const auto width = static_cast<double>(camera.width), height = static_cast<double>(camera.height);
   const auto step =
       static_cast<std::size_t>(std::max(1., std::sqrt(static_cast<double>(photo.width) *
                                                       static_cast<double>(photo.height) / enough)));
@@ -141,13 +163,13 @@ Pixels shared_pixels(const texture::Image& photo, const texture::Image& render,
       const auto from =
           colour::moved(back, {static_cast<double>(c) + 0.5, static_cast<double>(r) + 0.5});
       if (from.x < 1 || from.y < 1 || from.x > width - 1 || from.y > height - 1) continue;
-      const auto distance_km = axis_distance_km(places, from);
+      const auto distance_km = axis_distance_km(sky, axis, sight, from);
       if (!distance_km) continue;
       const auto seen = pixel_of(photo, r, c);
       pixels.push_back({*distance_km,
                         seen,
                         {there[0].at(r, c), there[1].at(r, c), there[2].at(r, c)},
-                        std::max({seen.r, seen.g, seen.b}) >= double{clipped}});
+                        any_channel_reaches(seen, clipped)});
     }
   return pixels;
 }
@@ -166,9 +188,7 @@ double fitted_exposure(const Pixels& pixels) {
   }
   if (ratios.empty())
     throw algebra::Error("no pixel of the disc is lit in both pictures and not clipped");
-  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  return *middle;
+  return median(ratios);
 }
 
 /// Tone curve of the camera, fitted to pixels as displayed: exposure and colours are free, light of each step of the
@@ -186,19 +206,18 @@ colour::ToneCurve fitted_curve(const Pixels& pixels) {
             pixel.photo[k]);
   using Vector = Eigen::Vector<double, 3 + colour::tone_numbers>;
   Eigen::Matrix<double, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime> normal;
-  normal.setIdentity();  // each parameter is 0 ± 1 before
+  normal.setIdentity();  // unit Gaussian prior
   Vector sums = Vector::Zero();
   std::size_t steps = 0;
   for (auto& [light, values] : displayed) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    if (values.size() < many || *middle <= 0 || *middle >= colour::most_displayed) continue;
-    const double residual = std::log(*middle) + colour::tone_logarithm({}, *middle) -
+    const double middle = median(values);
+    if (values.size() < many || middle <= 0 || middle >= colour::most_displayed) continue;
+    const double residual = std::log(middle) + colour::tone_logarithm({}, middle) -
                             step * static_cast<double>(light.first);
     Vector row = Vector::Zero();
     row[0] = unknown;
     if (light.second != 1) row[1 + light.second / 2] = of_colours;
-    std::ranges::copy(colour::tone_derivatives(*middle), row.begin() + 3);
+    std::ranges::copy(colour::tone_derivatives(middle), row.begin() + 3);
     normal += row * row.transpose() / (error * error);
     sums += row * residual / (error * error);
     ++steps;
@@ -221,10 +240,6 @@ void undo(const colour::ToneCurve& curve, Pixels& pixels) {
     for (int k = 0; k < 3; ++k) pixel.photo[k] = double{table(static_cast<float>(pixel.photo[k]))};
 }
 
-bool in_highlights(const SharedPixel& pixel) {
-  return std::max({pixel.photo.r, pixel.photo.g, pixel.photo.b}) >= colour::most_displayed;
-}
-
 }  // namespace
 
 algebra::Grid<float> luminance_of(const texture::Image& light) {
@@ -233,8 +248,8 @@ algebra::Grid<float> luminance_of(const texture::Image& light) {
   tbb::parallel_for(std::size_t{0}, light.height, [&](std::size_t r) {
     for (std::size_t c = 0; c < light.width; ++c) {
       const auto pixel = pixel_of(light, r, c);
-      const bool lost = std::max({pixel.r, pixel.g, pixel.b}) >= double{clipped};
-      grid(r, c) = lost ? most : static_cast<float>(luminance(pixel));
+      grid(r, c) =
+          any_channel_reaches(pixel, clipped) ? most : static_cast<float>(luminance(pixel));
     }
   });
   return grid;
@@ -274,19 +289,20 @@ std::vector<Difference> differences(const Pixels& pixels, double exposure, std::
 }
 
 Comparison compared(const texture::Image& photo, const texture::Image& frame,
-                    const FramePlaces& places, const ComparisonRequest& request) {
+                    const almanac::SkyState& sky, const povray_scenes::SceneCamera& camera,
+                    const ComparisonRequest& request) {
   const auto& [exposure, curved, glow, bins] = request;
   algebra::require_within("bins", static_cast<double>(bins), 1, 1000);
-  if (frame.width != places.camera.width || frame.height != places.camera.height)
+  if (frame.width != camera.width || frame.height != camera.height)
     throw algebra::Error(fmt::format("a frame of {} x {} pixels, allowed {} x {}, as its camera's",
-                                     frame.width, frame.height, places.camera.width,
-                                     places.camera.height));
-  auto moon = glowing(moon_alone(frame, places.camera), glow, places.camera);
+                                     frame.width, frame.height, camera.width, camera.height));
+  auto moon = glowing(moon_alone(frame, camera), glow, camera);
   const auto registration = colour::registered(luminance_of(photo), luminance_of(moon));
-  auto pixels = shared_pixels(photo, moon, places, registration.render_to_photo);
+  auto pixels = shared_pixels(photo, moon, sky, camera, registration.render_to_photo);
   std::optional<colour::ToneCurve> curve;
   if (curved) {
-    for (auto& pixel : pixels) pixel.clipped = pixel.clipped || in_highlights(pixel);
+    for (auto& pixel : pixels)
+      pixel.clipped |= any_channel_reaches(pixel.photo, colour::most_displayed);
     curve = fitted_curve(pixels);
     undo(*curve, pixels);
   }

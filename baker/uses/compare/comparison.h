@@ -9,11 +9,12 @@
 
 #include "algebra/described.h"
 #include "algebra/grid.h"
+#include "almanac/sky.h"
 #include "colour/exposure.h"
 #include "colour/registration.h"
 #include "colour/tone_curve.h"
+#include "povray_scenes/camera.h"
 #include "texture/image.h"
-#include "uses/compare/frame_places.h"
 
 namespace coppermoon::uses {
 
@@ -94,12 +95,14 @@ struct ComparisonRequest {
 
 /// Registers a rendered frame in a photograph, gives it glow and exposure, and compares the two.
 ///
-/// Given   photo  linear Rec.709, 1 saturates
-///         frame  linear Rec.709 [cd/m²], rendered with the camera of its places, without glow
-/// Throws  Error  as colour::registered and with_glow; when no pixel is lit in both pictures and not clipped; when
-///                fewer than three steps of light are there to fit a tone curve by; when the frame's size is not
-///                its camera's
+/// Given   photo        linear Rec.709, 1 saturates
+///         frame        linear Rec.709 [cd/m²], without glow
+///         sky, camera  by which the frame was rendered
+/// Throws  Error  as colour::registered and with_glow; when the camera is not sound; when no pixel is lit in both
+///                pictures and not clipped; when fewer than three steps of light are there to fit a tone curve by; when
+///                the frame's size is not its camera's
 Comparison compared(const texture::Image& photo, const texture::Image& frame,
-                    const FramePlaces& places, const ComparisonRequest& request = {});
+                    const almanac::SkyState& sky, const povray_scenes::SceneCamera& camera,
+                    const ComparisonRequest& request = {});
 
 }  // namespace coppermoon::uses

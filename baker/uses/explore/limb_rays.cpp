@@ -58,10 +58,18 @@ void set_aerosol(Column& column, double depth) {
       std::make_shared<atmosphere::StratosphericLayer>(depth, column.tropopause_m);
 }
 
-/// Rays of one part of the limb.
+/// Rays of one part of the limb: its rows of the arrays.
 struct PartRays {
   std::vector<double> bending, excess_km, amounts, spectra, aerosol;
 };
+
+/// Rows of all parts, one behind another.
+std::vector<double> joined(const std::vector<PartRays>& parts,
+                           std::vector<double> PartRays::*rows) {
+  std::vector<double> all;
+  for (const auto& part : parts) all.insert(all.end(), (part.*rows).begin(), (part.*rows).end());
+  return all;
+}
 
 /// Tracer of a part's rays.
 struct Follower {
@@ -132,29 +140,25 @@ ordered_json facts_of(const photons::WholeLimb::Part& part) {
           {"cloudCover", column.cloud_cover}};
 }
 
-void append(std::vector<double>& all, const std::vector<double>& more) {
-  all.insert(all.end(), more.begin(), more.end());
-}
-
 void add_series(PageArrays& arrays, const photons::WholeLimb& limb) {
-  std::vector<double> numbers;
   const auto series = limb.series(most_harmonics);
-  for (const auto& part : series) {
-    append(numbers, part.cosine);
-    append(numbers, part.sine);
+  algebra::Grid<double> numbers(2 * series.size(), series[0].cosine.size());
+  for (std::size_t p = 0; p < series.size(); ++p) {
+    std::ranges::copy(series[p].cosine, numbers.row(2 * p).begin());
+    std::ranges::copy(series[p].sine, numbers.row(2 * p + 1).begin());
   }
-  arrays.add("limb.series", {series.size(), 2, series[0].cosine.size()}, numbers);
+  arrays.add("limb.series", {series.size(), 2, numbers.columns()}, numbers.values());
 }
 
 void add_spectra_of_aerosol(PageArrays& arrays, std::span<const double> wavelengths_nm) {
   constexpr double any_tropopause_m = 11e3;
-  std::vector<double> numbers;
-  for (const double depth : aerosol_steps) {
-    const atmosphere::StratosphericLayer layer(depth, any_tropopause_m);
-    for (const double nm : wavelengths_nm)
-      numbers.push_back(layer.spectrum(algebra::nanometres(nm)));
+  algebra::Grid<double> spectra(std::size(aerosol_steps), wavelengths_nm.size());
+  for (std::size_t s = 0; s < spectra.rows(); ++s) {
+    const atmosphere::StratosphericLayer layer(aerosol_steps[s], any_tropopause_m);
+    std::ranges::transform(wavelengths_nm, spectra.row(s).begin(),
+                           [&](double nm) { return layer.spectrum(algebra::nanometres(nm)); });
   }
-  arrays.add("limb.aerosolSpectra", {std::size(aerosol_steps), wavelengths_nm.size()}, numbers);
+  arrays.add("limb.aerosolSpectra", spectra);
 }
 
 /// Spectra of a month's own aerosol at other optical depths, where there is some.
@@ -195,40 +199,35 @@ ordered_json add_limb_rays(PageArrays& arrays, const atmosphere::Atmosphere& atm
   const photons::WholeLimb limb(atmosphere, std::span(follower.optics).first(1), 2);
   const auto& first = limb.parts()[0].column;
   follower.nodes = photons::refractivity_nodes(first, follower.optics, refractivities);
-  std::vector<double> blends;
-  for (const auto& o : follower.optics)
-    append(blends, photons::blend(first, o, follower.nodes).shares);
-  const std::size_t bent = follower.nodes.size();
+  const std::size_t bent = follower.nodes.size(), parts = limb.parts().size(),
+                    rays = follower.heights_m.size(), waves = wavelengths_nm.size();
+  algebra::Grid<double> blends(waves, bent);
+  for (std::size_t w = 0; w < waves; ++w)
+    std::ranges::copy(photons::blend(first, follower.optics[w], follower.nodes).shares,
+                      blends.row(w).begin());
   follower.nodes.push_back(0);
-  const std::size_t parts = limb.parts().size(), rays = follower.heights_m.size(),
-                    waves = wavelengths_nm.size();
   std::vector<PartRays> all(parts);
   tbb::parallel_for(std::size_t{0}, parts,
                     [&](std::size_t p) { all[p] = follower.rays(limb.parts()[p]); });
-  PartRays together;
-  ordered_json facts{{"absorbers", atmosphere::absorber_names()},
+  ordered_json facts{{"absorbers", atmosphere::absorber_groups()},
                      {"aerosolSteps", aerosol_steps},
                      {"topKm", atmosphere.top_m() / 1e3},
                      {"refractivities", ordered_json::array()},
                      {"parts", ordered_json::array()}};
-  for (std::size_t p = 0; p < parts; ++p) {
-    append(together.bending, all[p].bending);
-    append(together.excess_km, all[p].excess_km);
-    append(together.amounts, all[p].amounts);
-    append(together.spectra, all[p].spectra);
-    append(together.aerosol, all[p].aerosol);
-    facts["parts"].push_back(facts_of(limb.parts()[p]));
-  }
+  for (const auto& part : limb.parts()) facts["parts"].push_back(facts_of(part));
   for (const auto& o : follower.optics) facts["refractivities"].push_back(o.refractivity);
   std::vector<double> heights_km;
   for (const double h : follower.heights_m) heights_km.push_back(h / 1e3);
   arrays.add("limb.heights", {rays}, heights_km);
-  arrays.add("limb.bending", {parts, bent + 1, rays}, together.bending);
-  arrays.add("limb.excess", {parts, rays}, together.excess_km);
-  arrays.add("limb.amounts", {parts, bent + 1, rays, atmosphere::absorbers}, together.amounts);
-  arrays.add("limb.spectra", {parts, waves, atmosphere::absorbers}, together.spectra);
-  arrays.add("limb.aerosol", {parts, std::size(aerosol_steps), rays}, together.aerosol);
-  arrays.add("limb.blend", {waves, bent}, blends);
+  arrays.add("limb.bending", {parts, bent + 1, rays}, joined(all, &PartRays::bending));
+  arrays.add("limb.excess", {parts, rays}, joined(all, &PartRays::excess_km));
+  arrays.add("limb.amounts", {parts, bent + 1, rays, atmosphere::absorbers},
+             joined(all, &PartRays::amounts));
+  arrays.add("limb.spectra", {parts, waves, atmosphere::absorbers},
+             joined(all, &PartRays::spectra));
+  arrays.add("limb.aerosol", {parts, std::size(aerosol_steps), rays},
+             joined(all, &PartRays::aerosol));
+  arrays.add("limb.blend", blends);
   add_series(arrays, limb);
   add_spectra_of_aerosol(arrays, wavelengths_nm);
   add_recorded_spectra(arrays, limb, wavelengths_nm);

@@ -32,7 +32,7 @@ inline constexpr double aerosol_steps[] = {0.004, 0.008, 0.028, 0.086, 0.12, 0.1
 ///     limb.blend     [wavelength][refractivity but the last]
 ///     limb.series    [part][cosine, sine][harmonic]   share of the part in the limb, by position angle
 ///
-/// Returned  names of the absorbers; radius [km] and amounts of each part
+/// Returned  groups of the absorbers; radius [km] and amounts of each part
 /// Given     wavelengths_nm  380 to 780
 nlohmann::ordered_json add_limb_rays(PageArrays& arrays, const atmosphere::Atmosphere& atmosphere,
                                      std::span<const double> wavelengths_nm);

@@ -24,12 +24,6 @@ using std::numbers::pi;
 
 constexpr int nodes = 14;
 
-/// Components of all series at one moment.
-struct Positions {
-  std::vector<double> numbers;
-  double sidereal_time;
-};
-
 /// Names of the series, and their numbers of components.
 const std::vector<std::pair<const char*, int>> parts{
     {"centre", 3}, {"sunDistance", 1}, {"moonFrame", 9}, {"equatorFrame", 9}};
@@ -45,38 +39,32 @@ double sidereal_time(const almanac::SkyState& sky) {
   return std::atan2(zenith.y, zenith.x);
 }
 
-Positions positions_at(const almanac::Instant& when) {
+/// Numbers of all parts at one moment.
+std::vector<double> positions_at(const almanac::Instant& when) {
   const auto sky = almanac::sky_at(when);
   const auto axis = eclipse::shadow_axis(sky);
   const auto centre_m = axis.shadow_from_gcrs * sky.moon_m;
-  Positions all{{centre_m.x / 1e3, centre_m.y / 1e3, centre_m.z / 1e3,
-                 algebra::in_kilometres(axis.sun_distance)},
-                sidereal_time(sky)};
-  append(all.numbers, axis.shadow_from_gcrs * glm::transpose(sky.selenographic_from_gcrs));
-  append(all.numbers, axis.shadow_from_gcrs * glm::transpose(sky.equator_from_gcrs));
+  std::vector<double> all{centre_m.x / 1e3, centre_m.y / 1e3, centre_m.z / 1e3,
+                          algebra::in_kilometres(axis.sun_distance)};
+  append(all, axis.shadow_from_gcrs * glm::transpose(sky.selenographic_from_gcrs));
+  append(all, axis.shadow_from_gcrs * glm::transpose(sky.equator_from_gcrs));
   return all;
-}
-
-/// Chebyshev series of one component.
-std::vector<double> series_through(const std::vector<Positions>& known, std::size_t component) {
-  std::vector<double> values;
-  for (const auto& positions : known) values.push_back(positions.numbers[component]);
-  return algebra::chebyshev_series(values);
 }
 
 }  // namespace
 
 ordered_json motion_between(const almanac::Instant& from, const almanac::Instant& to) {
   const double seconds = almanac::seconds_between(from, to);
-  std::vector<Positions> known(nodes);
+  std::vector<std::vector<double>> known(nodes);
   tbb::parallel_for(0, nodes, [&](int i) {
     known[static_cast<std::size_t>(i)] =
         positions_at(almanac::later(from, (algebra::chebyshev_node(i, nodes) + 1) / 2 * seconds));
   });
   ordered_json series;
   std::size_t component = 0;
+  const auto all = algebra::chebyshev_series(known);
   for (const auto& [name, count] : parts)
-    for (int i = 0; i < count; ++i) series[name].push_back(series_through(known, component++));
+    for (int i = 0; i < count; ++i) series[name].push_back(all[component++]);
   const double first = sidereal_time(almanac::sky_at(from)),
                last = sidereal_time(almanac::sky_at(to));
   constexpr double sidereal_day_s = 86164.0905;

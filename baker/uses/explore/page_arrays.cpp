@@ -41,8 +41,7 @@ void PageArrays::begin(const std::string& name, const char* kind, const Shape& s
   index_[name] = {{"kind", kind}, {"shape", shape}, {"at", bytes_.size()}};
 }
 
-void PageArrays::add(const std::string& name, const Shape& shape,
-                     const std::vector<double>& numbers) {
+void PageArrays::add(const std::string& name, const Shape& shape, std::span<const double> numbers) {
   begin(name, "f32", shape, numbers.size());
   for (const double number : numbers) {
     const auto single = static_cast<float>(number);

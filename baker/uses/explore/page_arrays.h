@@ -4,9 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "algebra/grid.h"
 
 namespace coppermoon::uses {
 
@@ -18,7 +21,10 @@ class PageArrays {
   /// Adds numbers as floats of 32 bits.
   ///
   /// Throws  Error  when a number is not finite, or their count is not the shape's
-  void add(const std::string& name, const Shape& shape, const std::vector<double>& numbers);
+  void add(const std::string& name, const Shape& shape, std::span<const double> numbers);
+  void add(const std::string& name, const algebra::Grid<double>& numbers) {
+    add(name, {numbers.rows(), numbers.columns()}, numbers.values());
+  }
 
   /// Adds bytes, each as its difference from the byte before it in its row, which compresses better.
   ///

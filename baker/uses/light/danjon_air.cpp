@@ -124,9 +124,7 @@ double between(std::span<const Known> known, std::size_t bright, double magnitud
 
 void clear(atmosphere::Column& column, double clearness) {
   const double left = 1 - std::max(0., clearness);
-  for (double* term : {&column.cloud_per_m, &column.cirrus, &column.tropospheric_optical_depth,
-                       &column.free_troposphere_per_m, &column.cloud_cover})
-    *term *= left;
+  atmosphere::scale_cloud_and_aerosol(column, left);
   if (!column.stratospheric_layer) return;
   const double depth = left * column.stratospheric_layer->optical_depth() - std::min(0., clearness);
   column.stratospheric_layer = std::make_shared<atmosphere::StratosphericLayer>(

@@ -15,16 +15,14 @@ namespace {
 /// A value within an expression: a step of the formula, and the values that it is computed from.
 class Value {
  public:
-  Value(double number) : Value(Operation::constant, ValueKind::number, {}) {
-    node_->step.constant = {number};
+  Value(double x) : Value("constant", number_type, {}) { node_->step.constant = {x}; }
+  Value(const glm::dvec3& v) : Value("constant", vector_type, {}) {
+    node_->step.constant = {v.x, v.y, v.z};
   }
-  Value(const glm::dvec3& vector) : Value(Operation::constant, ValueKind::vector, {}) {
-    node_->step.constant = {vector.x, vector.y, vector.z};
-  }
-  Value(Operation operation, ValueKind kind, std::vector<Value> operands)
-      : node_(std::make_shared<Node>(Step{operation, kind}, std::move(operands))) {}
+  Value(const char* operation, const std::string& type, std::vector<Value> operands)
+      : node_(std::make_shared<Node>(Step{operation, type}, std::move(operands))) {}
 
-  ValueKind kind() const { return node_->step.kind; }
+  const std::string& type() const { return node_->step.type; }
 
   /// Gives the step a name, under which expressions refer to it.
   Value named(std::string name, std::string meaning = {}) const {
@@ -61,14 +59,14 @@ class Value {
   std::shared_ptr<Node> node_;
 };
 
-Value operator+(const Value& a, const Value& b) { return {Operation::add, a.kind(), {a, b}}; }
-Value operator-(const Value& a, const Value& b) { return {Operation::subtract, a.kind(), {a, b}}; }
-Value operator*(const Value& a, const Value& b) { return {Operation::multiply, a.kind(), {a, b}}; }
-Value operator/(const Value& a, const Value& b) { return {Operation::divide, a.kind(), {a, b}}; }
-Value of_numbers(Operation operation, std::vector<Value> numbers) {
-  return {operation, ValueKind::number, std::move(numbers)};
+Value operator+(const Value& a, const Value& b) { return {"add", a.type(), {a, b}}; }
+Value operator-(const Value& a, const Value& b) { return {"subtract", a.type(), {a, b}}; }
+Value operator*(const Value& a, const Value& b) { return {"multiply", a.type(), {a, b}}; }
+Value operator/(const Value& a, const Value& b) { return {"divide", a.type(), {a, b}}; }
+Value of_numbers(const char* operation, std::vector<Value> numbers) {
+  return {operation, number_type, std::move(numbers)};
 }
-Value clamped(const Value& a) { return of_numbers(Operation::clamp, {a}); }
+Value clamped(const Value& a) { return of_numbers("clamp", {a}); }
 
 /// Horner's scheme: c0 + t (c1 + t (c2 + …)).
 template <class Constant>
@@ -82,15 +80,15 @@ Value polynomial(const Value& t, const std::vector<Constant>& coefficients) {
 
 Formula shadow_formula(const ShadowMotion& motion, const LightStrip& strip) {
   const auto radii = [](double km) { return km / algebra::in_kilometres(almanac::lunar_radius); };
-  const auto time = of_numbers(Operation::time, {}).named("time");
-  const auto place = Value(Operation::place, ValueKind::vector, {}).named("place");
+  const auto time = of_numbers("time", {}).named("time");
+  const auto place = Value("place", vector_type, {}).named("place");
 
   const auto moment = (clamped(time / (2 * motion.half_s) + 0.5) * 2. - 1.)
                           .named("moment", "-1 to 1; outside, its ends hold");
-  const auto ground = Value(Operation::normalize, ValueKind::vector, {place}).named("ground");
+  const auto ground = Value("normalize", vector_type, {place}).named("ground");
   const auto along_axis = [&](std::size_t k, const char* name, const char* meaning,
                               const char* centre) {
-    return of_numbers(Operation::dot,
+    return of_numbers("dotproduct",
                       {polynomial(moment, motion.axes[k]).named(name, meaning), ground}) +
            polynomial(moment, motion.centre[k]).named(centre, "the Moon's centre [lunar radii]");
   };
@@ -98,18 +96,16 @@ Formula shadow_formula(const ShadowMotion& motion, const LightStrip& strip) {
                            .named("to_east", "the place in the shadow [lunar radii]"),
              to_north = along_axis(1, "north", "celestial north", "centre_north").named("to_north"),
              depth = along_axis(2, "away", "away from the Sun", "centre_depth").named("depth");
-  const auto distance =
-      of_numbers(Operation::square_root, {to_east * to_east + to_north * to_north})
-          .named("from_axis", "distance from the shadow's axis");
-  const auto one_limb =
-      of_numbers(Operation::minimum, {distance / radii(shadow::one_limb_m / 1e3), 1.});
+  const auto distance = of_numbers("sqrt", {to_east * to_east + to_north * to_north})
+                            .named("from_axis", "distance from the shadow's axis");
+  const auto one_limb = of_numbers("min", {distance / radii(shadow::one_limb_m / 1e3), 1.});
   const auto deeper_by = radii(strip.middle_km()) / depth - 1.;
   const auto in_middle =
       (distance + (distance - radii(shadow::limb_m / 1e3)) * deeper_by * one_limb)
           .named("in_middle", "the same in the middle plane, along a line from the limb");
   const auto stretch = [&](std::size_t s) {
-    const double from = s == 0 ? 0 : strip.ends_km[s - 1], to = strip.ends_km[s];
-    return clamped((in_middle - radii(from)) / radii(to - from)) *
+    const double from = strip.from_km(s);
+    return clamped((in_middle - radii(from)) / radii(strip.ends_km[s] - from)) *
            static_cast<double>(strip.stretches[s]);
   };
   const auto columns = static_cast<double>(strip.roots.width),
@@ -117,25 +113,20 @@ Formula shadow_formula(const ShadowMotion& motion, const LightStrip& strip) {
   const auto along = ((stretch(0) + stretch(1) + stretch(2) + stretch(3) + 0.5) / columns)
                          .named("along", "place in the strip");
   // 1e-9: on the axis itself an arc tangent has no angle
-  const auto turns =
-      (of_numbers(Operation::arc_tangent, {to_east + 1e-9, to_north}) / (2 * std::numbers::pi))
-          .named("turns", "position angle");
-  const auto around =
-      (turns - of_numbers(Operation::floor, {turns})) * static_cast<double>(strip.sectors);
+  const auto turns = (of_numbers("atan2", {to_east + 1e-9, to_north}) / (2 * std::numbers::pi))
+                         .named("turns", "position angle");
+  const auto around = (turns - of_numbers("floor", {turns})) * static_cast<double>(strip.sectors);
   const auto across = ((around + 0.5) / rows).named("across", "in the rows of the nearest plane");
   const auto deeper =
       clamped((depth - radii(strip.nearest_km)) / radii(strip.farthest_km - strip.nearest_km))
           .named("deeper", "from the nearest plane to the farthest");
-  const auto texel = [&](const Value& row) {
-    return Value(Operation::texel, ValueKind::colour, {along, row});
-  };
+  const auto texel = [&](const Value& row) { return Value("image", colour_type, {along, row}); };
   auto root = texel(across);
   const auto intervals = static_cast<double>(strip.planes - 1);
   for (std::size_t p = 1; p < strip.planes; ++p) {
     const auto plane = static_cast<double>(p);
     const auto share = clamped(deeper * intervals - (plane - 1));
-    root = {
-        Operation::mix, ValueKind::colour, {root, texel(across + plane / (intervals + 1)), share}};
+    root = {"mix", colour_type, {root, texel(across + plane / (intervals + 1)), share}};
   }
   root = root.named("root", "square root of light over sunlight");
   return (root * root).named("light").formula();

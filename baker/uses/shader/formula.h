@@ -11,36 +11,22 @@
 
 namespace coppermoon::uses {
 
-/// Kind of a step's value.
-enum class ValueKind { number, vector, colour };
+/// Types of values, as MaterialX calls them.
+inline constexpr const char *number_type = "float", *vector_type = "vector3",
+                            *colour_type = "color3";
 
-/// Operations that every shading language has. Binary ones take equal kinds, but for `multiply`, whose second operand
-/// may be a number beside a vector or a colour, and `mix`, whose third is a number.
-enum class Operation {
-  place,  ///< input: point of the Moon in Moon-fixed axes, of any length
-  time,   ///< input: seconds from greatest eclipse
-  constant,
-  add,
-  subtract,
-  multiply,
-  divide,
-  minimum,
-  clamp,  ///< to 0 to 1
-  dot,
-  normalize,
-  square_root,
-  arc_tangent,  ///< of y and x, −π to π
-  floor,
-  mix,    ///< of two values, by the share of the second
-  texel,  ///< of the strip at u and v, linearly interpolated; v from the image's top
-};
-
-/// One step of a formula.
+/// One step of a formula: a value, as a node of MaterialX computes it. Operations are "add", "subtract", "multiply", of
+/// a vector also by a number, "divide", "min", "clamp" (to 0 to 1), "dotproduct", "normalize", "sqrt", "atan2" (of y and
+/// x, −π to π), "floor", "mix" (of two values, by the share of the second), which every shading language has, and
+///
+///     "place"     input: point of the Moon in Moon-fixed axes, of any length
+///     "time"      input: seconds from greatest eclipse
+///     "constant"
+///     "image"     texel of the strip at u and v, linearly interpolated; v from the image's top
 struct Step {
-  Operation operation;
-  ValueKind kind;
+  std::string operation, type;
   std::vector<std::size_t> operands{};  ///< earlier steps
-  std::array<double, 3> constant{};     ///< of `constant`; a number stands first
+  std::array<double, 3> constant{};     ///< of "constant"; a number stands first
   std::string name{}, meaning{};        ///< empty: a part of one expression
 };
 

@@ -70,16 +70,10 @@ struct LightAtPlaces {
 
 /// Axis distance in the middle plane, `part` of the way from a node to the next.
 double node_m(const LightStrip& strip, int node, double part = 0) {
-  double from = 0;
-  for (std::size_t s = 0; s < strip.stretches.size(); ++s) {
-    const double to = strip.ends_km[s] * 1e3;
-    const int count = strip.stretches[s];
-    if (node < count || s + 1 == strip.stretches.size())
-      return std::lerp(from, to, (node + part) / count);
-    from = to;
-    node -= count;
-  }
-  return from;
+  std::size_t s = 0;
+  while (s + 1 < strip.stretches.size() && node >= strip.stretches[s]) node -= strip.stretches[s++];
+  return std::lerp(strip.from_km(s) * 1e3, strip.ends_km[s] * 1e3,
+                   (node + part) / strip.stretches[s]);
 }
 
 double angle_rad(const LightStrip& strip, double row) {
@@ -169,11 +163,10 @@ double error_found(const ShaderRequest& request, const almanac::SkyState& sky,
   const double depth_m = strip.middle_km() * 1e3;
   cut.arrangement.depths_m = {depth_m};
   std::vector<double> distances_m;
-  for (std::size_t s = 0; s < places.size(); ++s) {
-    const double from = s == 0 ? 0 : strip.ends_km[s - 1], to = strip.ends_km[s];
+  for (std::size_t s = 0; s < places.size(); ++s)
     for (int i = 0; i < places[s]; ++i)
-      distances_m.push_back(1e3 * std::lerp(from, to, (i + off_nodes) / places[s]));
-  }
+      distances_m.push_back(
+          1e3 * std::lerp(strip.from_km(s), strip.ends_km[s], (i + off_nodes) / places[s]));
   const int bands = request.light.by_hand.bands
                         ? std::clamp(2 * *request.light.by_hand.bands, 64, 400)
                         : usual_bands;

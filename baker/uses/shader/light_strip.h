@@ -41,6 +41,8 @@ struct LightStrip {
   double nearest_km = 0, farthest_km = 0;  ///< depths of the first plane and the last
   double error = 0;                        ///< found, of the brightest channel
 
+  /// Axis distance at which a stretch begins.
+  double from_km(std::size_t stretch) const { return stretch == 0 ? 0 : ends_km[stretch - 1]; }
   double middle_km() const { return (nearest_km + farthest_km) / 2; }
   double depth_km(std::size_t plane) const {
     return plane == 0 ? nearest_km

@@ -9,36 +9,12 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Names of an operation's node and of the node's inputs, as MaterialX has them.
-struct NodeWords {
-  const char* node;
-  std::vector<const char*> inputs{"in1", "in2"};
-};
+/// Names of a node's inputs, where they are not in1 and in2.
+const std::map<std::string, std::vector<const char*>> input_names{
+    {"clamp", {"in"}}, {"normalize", {"in"}},     {"sqrt", {"in"}},
+    {"floor", {"in"}}, {"atan2", {"iny", "inx"}}, {"mix", {"bg", "fg", "mix"}}};
 
-const std::map<Operation, NodeWords> words{
-    {Operation::place, {"place"}},
-    {Operation::time, {"time"}},
-    {Operation::constant, {"constant"}},
-    {Operation::add, {"add"}},
-    {Operation::subtract, {"subtract"}},
-    {Operation::multiply, {"multiply"}},
-    {Operation::divide, {"divide"}},
-    {Operation::minimum, {"min"}},
-    {Operation::clamp, {"clamp", {"in"}}},
-    {Operation::dot, {"dotproduct"}},
-    {Operation::normalize, {"normalize", {"in"}}},
-    {Operation::square_root, {"sqrt", {"in"}}},
-    {Operation::arc_tangent, {"atan2", {"iny", "inx"}}},
-    {Operation::floor, {"floor", {"in"}}},
-    {Operation::mix, {"mix", {"bg", "fg", "mix"}}},
-    {Operation::texel, {"image"}},
-};
-
-/// Types of MaterialX.
-const std::map<ValueKind, const char*> types{
-    {ValueKind::number, "float"}, {ValueKind::vector, "vector3"}, {ValueKind::colour, "color3"}};
-
-/// The same types in USD.
+/// Types of MaterialX in USD.
 const std::map<std::string, const char*> usd_types{{"float", "float"},    {"vector2", "float2"},
                                                    {"vector3", "float3"}, {"color3", "color3f"},
                                                    {"string", "string"},  {"filename", "asset"}};
@@ -68,25 +44,23 @@ std::vector<Node> nodes_of(const Formula& formula, const char* vector_format) {
   const auto input = [&](const char* name, std::size_t operand) -> Input {
     const auto& step = formula[operand];
     const auto& c = step.constant;
-    const auto* type = types.at(step.kind);
-    if (step.operation == Operation::time) return {graph, name, type, "time"};
-    if (step.operation != Operation::constant) return {node, name, type, name_of(formula, operand)};
+    const auto& type = step.type;
+    if (step.operation == "time") return {graph, name, type, "time"};
+    if (step.operation != "constant") return {node, name, type, name_of(formula, operand)};
     return {value, name, type,
-            step.kind == ValueKind::number
-                ? fmt::format("{:.9g}", c[0])
-                : fmt::format(fmt::runtime(vector_format), c[0], c[1], c[2])};
+            type == number_type ? fmt::format("{:.9g}", c[0])
+                                : fmt::format(fmt::runtime(vector_format), c[0], c[1], c[2])};
   };
   std::vector<Node> nodes;
   for (std::size_t i = 0; i < formula.size(); ++i) {
     const auto& step = formula[i];
-    const auto& [word, names] = words.at(step.operation);
     const auto name = name_of(formula, i);
-    Node made{word, name, types.at(step.kind), {}, step.meaning};
-    if (step.operation == Operation::time || step.operation == Operation::constant) continue;
-    if (step.operation == Operation::place) {
+    Node made{step.operation, name, step.type, {}, step.meaning};
+    if (step.operation == "time" || step.operation == "constant") continue;
+    if (step.operation == "place") {
       made.word = "position";
       made.inputs = {{value, "space", "string", "object"}};
-    } else if (step.operation == Operation::texel) {
+    } else if (step.operation == "image") {
       const auto v = name + "_v", uv = name + "_uv";  // v from the image's bottom
       nodes.push_back(
           {"subtract", v, "float", {{value, "in1", "float", "1"}, input("in2", step.operands[1])}});
@@ -98,6 +72,9 @@ std::vector<Node> nodes_of(const Formula& formula, const char* vector_format) {
                      {value, "vaddressmode", "string", "clamp"},
                      {value, "filtertype", "string", "linear"}};
     } else {
+      const auto found = input_names.find(step.operation);
+      const auto names =
+          found == input_names.end() ? std::vector<const char*>{"in1", "in2"} : found->second;
       for (std::size_t k = 0; k < step.operands.size(); ++k)
         made.inputs.push_back(input(names[k], step.operands[k]));
     }
@@ -171,12 +148,11 @@ UsdNodes usd_of(const Formula& formula, const std::string& scope, const std::str
 nlohmann::ordered_json json_of(const Formula& formula) {
   auto steps = nlohmann::ordered_json::array();
   for (const auto& step : formula) {
-    nlohmann::ordered_json one{{"operation", words.at(step.operation).node},
-                               {"kind", types.at(step.kind)},
-                               {"from", step.operands}};
-    if (step.operation == Operation::constant && step.kind == ValueKind::number)
+    nlohmann::ordered_json one{
+        {"operation", step.operation}, {"kind", step.type}, {"from", step.operands}};
+    if (step.operation == "constant" && step.type == number_type)
       one["value"] = step.constant[0];
-    else if (step.operation == Operation::constant)
+    else if (step.operation == "constant")
       one["value"] = step.constant;
     if (!step.name.empty()) one["name"] = step.name;
     steps.push_back(std::move(one));

@@ -36,13 +36,12 @@ std::string motion_of(ShadowMotion motion) {
 /// Reading of the strip, in functions of one value each.
 std::string reading_of(const LightStrip& strip) {
   std::vector<std::string> stretches;
-  double from = 0;
   for (std::size_t s = 0; s < strip.stretches.size(); ++s) {
-    const double to = radii(strip.ends_km[s]);
+    const double from = radii(strip.from_km(s)), to = radii(strip.ends_km[s]);
     stretches.push_back(
         fmt::format("min(max((M - {:.9g})/{:.9g}, 0), 1)*{}", from, to - from, strip.stretches[s]));
-    from = to;
   }
+  const double thickness = strip.planes > 1 ? radii(strip.farthest_km - strip.nearest_km) : 1;
   return fmt::format(
       R"(#declare Eclipse_Length = function(X, Y, Z) {{ sqrt(X*X + Y*Y + Z*Z) }}
 // of a distance A from the axis in depth D: the same in the middle plane, along a line from the limb
@@ -55,15 +54,15 @@ std::string reading_of(const LightStrip& strip) {
 )",
       radii(shadow::limb_m / 1e3), radii(strip.middle_km()), radii(shadow::one_limb_m / 1e3),
       fmt::join(stretches, " + "), strip.roots.width, 2 * std::numbers::pi, strip.sectors,
-      strip.roots.height, radii(strip.nearest_km), radii(strip.farthest_km - strip.nearest_km));
+      strip.roots.height, radii(strip.nearest_km), thickness);
 }
 
-/// A text for each channel: {0} stands for its name, {1} for what POV-Ray calls it.
-std::string each_channel(const char* text) {
+/// A text for each channel: {0} stands for its name, {1} for what POV-Ray calls it, {2} for a number.
+std::string each_channel(const char* text, double number = 0) {
   std::string all;
   for (const auto& [name, channel] :
        {std::pair{"Red", "red"}, {"Green", "green"}, {"Blue", "blue"}})
-    all += fmt::format(fmt::runtime(text), name, channel);
+    all += fmt::format(fmt::runtime(text), name, channel, number);
   return all;
 }
 
@@ -84,11 +83,12 @@ std::string povray_of(const ShadowMotion& motion, const LightStrip& strip, const
              head.title, head.strip) +
          motion_of(motion) + "\n// Light at places of the strip.\n" + reading_of(strip) +
          each_channel(R"(#declare Eclipse_{0}_Texel = function(U, V, Share) {{
-  Eclipse_Mixed(Eclipse_Strip(U, 1 - V, 0).{1}, Eclipse_Strip(U, 0.5 - V, 0).{1}, Share) }}
+  Eclipse_Mixed(Eclipse_Strip(U, 1 - V, 0).{1}, Eclipse_Strip(U, {2} - V, 0).{1}, Share) }}
 #declare Eclipse_{0}_In_Shadow = function(E, N, D) {{
   Eclipse_{0}_Texel(Eclipse_Along(Eclipse_In_Middle(Eclipse_Length(E, N, 0), D)),
                     Eclipse_Across(Eclipse_Turns(E, N)), Eclipse_Deeper(D)) }}
-)") +
+)",
+                      1. / static_cast<double>(strip.planes)) +
          fmt::format(R"(
 #macro Eclipse_Sum(Series)
   #local Sum = <0, 0, 0>;

@@ -9,45 +9,42 @@
 namespace coppermoon::uses {
 namespace {
 
-using Operation::add, Operation::subtract, Operation::multiply, Operation::divide;
-
 /// Words of a language whose expressions are like C's. Another such language is a row like these.
 struct Language {
-  std::string vector, colour;  ///< types
-  std::string time;            ///< name of that input
-  std::map<Operation, const char*> words{};
+  std::string vector, colour;                  ///< types
+  std::string time;                            ///< name of that input
+  std::map<std::string, const char*> words{};  ///< by operation
 };
 
 /// What these languages have in common.
-const std::map<Operation, const char*> common_words{
-    {Operation::place, "place"},
-    {add, "{} + {}"},
-    {subtract, "{} - {}"},
-    {multiply, "{} * {}"},
-    {divide, "{} / {}"},
-    {Operation::minimum, "min({}, {})"},
-    {Operation::clamp, "clamp({}, 0.0, 1.0)"},
-    {Operation::dot, "dot({}, {})"},
-    {Operation::normalize, "normalize({})"},
-    {Operation::square_root, "sqrt({})"},
-    {Operation::floor, "floor({})"},
-    {Operation::mix, "mix({}, {}, {})"},
+const std::map<std::string, const char*> common_words{
+    {"place", "place"},
+    {"add", "{} + {}"},
+    {"subtract", "{} - {}"},
+    {"multiply", "{} * {}"},
+    {"divide", "{} / {}"},
+    {"min", "min({}, {})"},
+    {"clamp", "clamp({}, 0.0, 1.0)"},
+    {"dotproduct", "dot({}, {})"},
+    {"normalize", "normalize({})"},
+    {"sqrt", "sqrt({})"},
+    {"floor", "floor({})"},
+    {"mix", "mix({}, {}, {})"},
 };
 
 const Language glsl{
     "vec3",
     "vec3",
     "time",
-    {{Operation::arc_tangent, "atan({}, {})"},
-     {Operation::texel, "texture(eclipse_strip, vec2({}, {})).rgb"}},
+    {{"atan2", "atan({}, {})"}, {"image", "texture(eclipse_strip, vec2({}, {})).rgb"}},
 };
 
 const Language osl{
     "vector",
     "color",
     "seconds",  // OSL has a `time` of its own
-    {{Operation::arc_tangent, "atan2({}, {})"},
-     {Operation::texel,
+    {{"atan2", "atan2({}, {})"},
+     {"image",
       "(color)texture(strip, {}, {}, \"width\", 0, \"blur\", 0, \"wrap\", \"clamp\", "
       "\"interp\", \"linear\")"}},
 };
@@ -61,9 +58,9 @@ std::string literal(double number) {
 /// How closely an expression holds together, and how closely an operand must.
 enum class Binding { sum, product, whole };
 
-Binding binding(Operation operation) {
-  if (operation == add || operation == subtract) return Binding::sum;
-  return operation == multiply || operation == divide ? Binding::product : Binding::whole;
+Binding binding(const std::string& operation) {
+  if (operation == "add" || operation == "subtract") return Binding::sum;
+  return operation == "multiply" || operation == "divide" ? Binding::product : Binding::whole;
 }
 
 /// Writer of a formula's steps as expressions.
@@ -74,7 +71,7 @@ struct ExpressionWriter {
   /// An operand: its name, or what it is computed from, in parentheses where it must be.
   std::string operand(std::size_t step, Binding needed) const {
     const auto& part = formula[step];
-    if (part.operation == Operation::time) return language.time;
+    if (part.operation == "time") return language.time;
     if (!part.name.empty()) return part.name;
     const auto text = expression(step);
     const auto bound = text.starts_with('-') ? Binding::sum : binding(part.operation);
@@ -84,10 +81,10 @@ struct ExpressionWriter {
   std::string expression(std::size_t step) const {
     const auto& all = formula[step];
     const auto& [x, y, z] = all.constant;
-    if (all.operation == Operation::constant)
-      return all.kind == ValueKind::number ? literal(x)
-                                           : fmt::format("{}({}, {}, {})", language.vector,
-                                                         literal(x), literal(y), literal(z));
+    if (all.operation == "constant")
+      return all.type == number_type ? literal(x)
+                                     : fmt::format("{}({}, {}, {})", language.vector, literal(x),
+                                                   literal(y), literal(z));
     const auto found = language.words.find(all.operation);
     const auto* words =
         found == language.words.end() ? common_words.at(all.operation) : found->second;
@@ -98,9 +95,9 @@ struct ExpressionWriter {
                           : own == Binding::sum && k > 0 ? Binding::product
                                                          : Binding::sum;
       auto text = operand(all.operands[k], needed);
-      if (all.operation == add && k == 1 && text.starts_with("(-") &&
-          formula[all.operands[k]].operation == Operation::constant) {
-        words = common_words.at(subtract);
+      if (all.operation == "add" && k == 1 && text.starts_with("(-") &&
+          formula[all.operands[k]].operation == "constant") {
+        words = common_words.at("subtract");
         text = text.substr(2, text.size() - 3);
       }
       operands.push_back(text);
@@ -110,15 +107,14 @@ struct ExpressionWriter {
 
   /// Named steps as lines, without the inputs and the result.
   std::string lines() const {
-    const std::map<ValueKind, std::string> types{{ValueKind::number, "float"},
-                                                 {ValueKind::vector, language.vector},
-                                                 {ValueKind::colour, language.colour}};
+    const std::map<std::string, std::string> types{
+        {number_type, "float"}, {vector_type, language.vector}, {colour_type, language.colour}};
     std::string text;
     for (std::size_t i = 0; i + 1 < formula.size(); ++i) {
       const auto& step = formula[i];
       if (step.name.empty() || step.operands.empty()) continue;
       if (!step.meaning.empty()) text += fmt::format("  // {}\n", step.meaning);
-      text += fmt::format("  {} {} = {};\n", types.at(step.kind), step.name, expression(i));
+      text += fmt::format("  {} {} = {};\n", types.at(step.type), step.name, expression(i));
     }
     return text;
   }

@@ -40,6 +40,15 @@ TEST(ChebyshevSeries, OfAPolynomialHasItsCoefficients) {
   for (std::size_t k = 0; k < 6; ++k) EXPECT_WITHIN(series[k], expected[k], 1e-13, "rounding");
 }
 
+TEST(ChebyshevSeries, OfSeveralComponentsIsThatOfEach) {
+  const std::vector<double> sines = at_nodes(6, [](double x) { return std::sin(x); }),
+                            squares = at_nodes(6, [](double x) { return x * x; });
+  std::vector<std::vector<double>> both;
+  for (std::size_t i = 0; i < sines.size(); ++i) both.push_back({sines[i], squares[i]});
+  EXPECT_EQ(chebyshev_series(both),
+            (std::vector{chebyshev_series(sines), chebyshev_series(squares)}));
+}
+
 TEST(PowerSeries, IsTheSamePolynomial) {
   EXPECT_EQ(power_series(std::vector<double>{7, 0, 5, -2}), (std::vector<double>{2, 6, 10, -8}));
   const auto powers =

@@ -300,7 +300,7 @@ TEST(Scattering, SendsOnTheAlbedoWithTheAsymmetryOfLowtran7) {
         Case{{.stratosphere = high}, Absorber::stratosphere, 0.947, 0.698},
         Case{{.stratosphere = extreme}, Absorber::stratosphere, 0.855, 0.747},
         Case{{}, ozone, 0, 0}, Case{{}, cloud, 0, 0}, Case{{}, nitrogen_dioxide, 0, 0}}) {
-    SCOPED_TRACE(std::string(absorber_names()[one.absorber]));
+    SCOPED_TRACE(one.absorber);
     EXPECT_WITHIN(moment(one.column, one.absorber, 0), one.albedo, 1e-12, "rounding");
     EXPECT_WITHIN(moment(one.column, one.absorber, 1), one.albedo * one.asymmetry, 1e-12,
                   "rounding");

@@ -110,7 +110,8 @@ TEST(GeometricAlbedo, WeighsPlacesByTheirShareOfTheDisc) {
     for (int j = 0; j < n; ++j) {
       const double y = -1 + 2 * (i + 0.5) / n, z = -1 + 2 * (j + 0.5) / n;
       if (z <= 0.5 || y * y + z * z >= 1) continue;
-      sum += surface::radiance_factor_yapo_cutler(std::sqrt(1 - y * y - z * z));
+      sum += surface::radiance_factor_at_full_moon(surface::Photometry::yapo_cutler,
+                                                   std::sqrt(1 - y * y - z * z));
     }
   const double expected = sum * 4 / (n * n) / std::numbers::pi;
   EXPECT_WITHIN_RELATIVE(surface::geometric_albedo(cap, yapo_cutler), expected, 4e-3,

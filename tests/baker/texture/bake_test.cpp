@@ -87,7 +87,8 @@ TEST(Bake, FollowsThePhotometricFunctionAwayFromIt) {
     const double mu =
         glm::dot(almanac::selenographic_direction(surface::texel_centre(r, c, rows)), sun);
     const float at_sub_solar = moon(row_of(0.1, rows), column_of(5, rows), 0);
-    EXPECT_WITHIN(moon(r, c, 0) / at_sub_solar, surface::radiance_factor_yapo_cutler(mu), 3e-4,
+    EXPECT_WITHIN(moon(r, c, 0) / at_sub_solar,
+                  surface::radiance_factor_at_full_moon(surface::Photometry::yapo_cutler, mu), 3e-4,
                   "the Sun's parallax over the Moon's radius: 1.2e-5 in mu, up to ten times that "
                   "in f; 2.3e-5 in distance");
   }

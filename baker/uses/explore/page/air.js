@@ -31,25 +31,19 @@ export function aerosolDepth(air, part) {
   return asIs * remaining(air) - Math.min(0, air.clearness);
 }
 
-/** Factors on the amounts of the absorbers in one part of the limb; 0 of the stratosphere's aerosol, which is apart. */
-export function factors(air, part, absorbers) {
+/** Factors on the amounts of the absorbers in one part of the limb, by their groups; 0 of the stratosphere's aerosol, which is apart. */
+export function factors(air, part, groups) {
   const on = (term) => (term ? 1 : 0);
-  const aerosol = on(air.aerosol) * remaining(air);
   const all = {
     air: on(air.scattering),
     ozone: on(air.ozone) * (air.ozoneDu === null || !part.ozoneDu ? 1 : air.ozoneDu / part.ozoneDu),
     dust: on(air.aerosol),
-    troposphere: aerosol * air.haze,
-    freeTroposphere: aerosol * air.haze,
+    aerosol: on(air.aerosol) * remaining(air) * air.haze,
     stratosphere: 0,
-    cloud: on(air.clouds) * air.cloud * remaining(air),
-    cirrus: on(air.clouds) * air.cloud * remaining(air),
-    oxygenPairs: on(air.gases),
-    oxygenBands: on(air.gases),
-    nitrogenDioxide: on(air.gases),
-    waterVapour: on(air.gases),
+    cloud: on(air.clouds) * remaining(air) * air.cloud,
+    gas: on(air.gases),
   };
-  return absorbers.map((name) => all[name]);
+  return groups.map((group) => all[group]);
 }
 
 /** Share of a part of the limb under a deck of cloud. */

@@ -191,17 +191,12 @@ export class Page {
 
   /** Text about a place: its name, its coordinates, its luminance. */
   described(at) {
-    const [light] = this.luminanceAt([at]);
+    const light = luminance(this.radianceAt([at])[0]);
     const near = this.features.filter((f) => distance(at, f) < f.km / 2 / (this.facts.moonRadiusKm * degree))
       .sort((a, b) => a.km - b.km)[0];
     const below = Math.log2(this.fullMoon / Math.max(light, 1e-12));
     return `${near ? `${near.name}\n` : ''}${placeText(at)}\n${number(light)} cd/m²\n` +
       `${below.toFixed(1)} stops below a full Moon`;
-  }
-
-  /** Luminance [cd/m²] at selenographic places [degrees], at the moment shown. */
-  luminanceAt(places) {
-    return this.radianceAt(places).map((rgb) => luminance(rgb));
   }
 
   /** Red, green and blue [cd/m²] and V's radiance at selenographic places. */
@@ -307,27 +302,20 @@ export class Page {
     });
   }
 
-  /** Copies a text, and says so. Where a browser lets the page copy nothing, the text is shown, selected. */
+  /** Copies a text, and says so; as browsers of a page without https: let it, by a selection. Where a browser lets the page
+   * copy nothing, the text stays shown, selected. */
   async copy(text) {
     const field = this.find('to-copy'), before = this.root.activeElement;
-    Object.assign(field, {value: text, hidden: true});
-    const copied = await navigator.clipboard?.writeText(text).then(() => true, () => false) || this.copySelected(field);
+    let copied = await navigator.clipboard?.writeText(text).then(() => true, () => false);
+    if (!copied) {
+      Object.assign(field, {value: text, hidden: false});
+      field.select();
+      copied = document.execCommand('copy');
+    }
     field.hidden = copied;
     if (copied) before?.focus();
     this.find('copied').textContent = copied ? 'Copied.'
       : 'The browser does not let this page copy. The text is selected: copy it yourself.';
-  }
-
-  /** Copies a field's text as a browser of a page without https: lets it; false where not. */
-  copySelected(field) {
-    field.hidden = false;
-    field.select();
-    return document.execCommand('copy');
-  }
-
-  /** Name of a file of the picture shown. */
-  nameOfPicture() {
-    return `moon_${utc(this.state.ms).replaceAll(':', '')}.png`;
   }
 
   /** Saves the picture as it is shown, as a PNG file. */
@@ -335,7 +323,8 @@ export class Page {
     this.draw();
     this.picture.canvas.toBlob((blob) => {
       const href = URL.createObjectURL(blob);
-      Object.assign(document.createElement('a'), {href, download: this.nameOfPicture()}).click();
+      const download = `moon_${utc(this.state.ms).replaceAll(':', '')}.png`;
+      Object.assign(document.createElement('a'), {href, download}).click();
       setTimeout(() => URL.revokeObjectURL(href), 1e3);
     }, 'image/png');
   }
@@ -363,15 +352,14 @@ export class Page {
       const [a, b] = [...held.values()];
       return b ? Math.max(1, Math.hypot(a[0] - b[0], a[1] - b[1])) : 1;
     };
-    const placeAt = (x, y, {pixel, ratio}, sign) => {
-      const box = canvas.getBoundingClientRect();
-      const across = (x - box.left - box.width / 2) * ratio * pixel, upwards = (box.top + box.height / 2 - y) * ratio * pixel;
-      return [sign * across, sign * upwards];
+    const besideMiddle = () => {  // place of the pointers' middle from that of the picture
+      const box = canvas.getBoundingClientRect(), {pixel, ratio} = this.frame();
+      return [(mean(0) - box.left - box.width / 2) * ratio * pixel, (box.top + box.height / 2 - mean(1)) * ratio * pixel];
     };
     const begin = () => {
       from = held.size ? {zoom: this.state.zoom, apart: apart()} : null;
       if (!from) return;
-      const beside = placeAt(mean(0), mean(1), this.frame(), 1);
+      const beside = besideMiddle();
       from.place = this.state.middle.map((middle, i) => middle + beside[i]);
     };
     canvas.addEventListener('pointerdown', (event) => {
@@ -386,8 +374,8 @@ export class Page {
       if (held.size > 1) this.zoomTo(from.zoom * apart() / from.apart);
       else if (this.state.zoom === 1) return this.point(event);
       if (this.state.zoom === 1) return;
-      const beside = placeAt(mean(0), mean(1), this.frame(), -1);
-      this.state.middle = from.place.map((place, i) => place + beside[i]);
+      const beside = besideMiddle();
+      this.state.middle = from.place.map((place, i) => place - beside[i]);
       this.redraw();
     });
     for (const name of ['pointerup', 'pointercancel']) canvas.addEventListener(name, (event) => {

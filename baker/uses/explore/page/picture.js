@@ -2,7 +2,7 @@
 // Picture of the Moon on a canvas, by WebGL 2 without extensions.
 
 import shader from './moon.glsl';
-import {transposed} from './vectors.js';
+import {degree, transposed} from './vectors.js';
 
 const corners = `#version 300 es
 void main() { gl_Position = vec4(vec2(gl_VertexID % 2, gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0); }`;
@@ -24,7 +24,7 @@ function compiled(gl, kind, text) {
   return part;
 }
 
-/** Shader program, and the locations of its uniforms. */
+/** Shader program, and a function that sets its uniforms by their names; names of no uniform of it are passed over. */
 function programOf(gl, define) {
   const program = gl.createProgram();
   gl.attachShader(program, compiled(gl, gl.VERTEX_SHADER, corners));
@@ -32,8 +32,15 @@ function programOf(gl, define) {
   gl.linkProgram(program);
   if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost())
     throw new Error(gl.getProgramInfoLog(program));
-  const places = {};
-  return {program, at: (name) => (places[name] ??= gl.getUniformLocation(program, name))};
+  const setters = {[gl.FLOAT]: 'uniform1fv', [gl.FLOAT_VEC2]: 'uniform2fv', [gl.FLOAT_VEC3]: 'uniform3fv', [gl.FLOAT_VEC4]: 'uniform4fv'};
+  const uniforms = {};
+  for (let i = 0; i < gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS); ++i) {
+    const {name, type} = gl.getActiveUniform(program, i), place = gl.getUniformLocation(program, name);
+    uniforms[name.replace('[0]', '')] = (value) => (type === gl.FLOAT_MAT3 ? gl.uniformMatrix3fv(place, false, value)
+      : gl[setters[type] ?? 'uniform1iv'](place, [value].flat()));
+  }
+  const set = (values) => Object.entries(values).forEach(([name, value]) => uniforms[name]?.(value));
+  return {program, set};
 }
 
 export class Picture {
@@ -97,41 +104,29 @@ export class Picture {
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 2 * table.nodes, table.rows, 0, gl.RGBA, gl.FLOAT, table.values);
   }
 
+  /** Binds a texture to a unit of the graphics card; returns the unit. */
+  bound(unit, texture, kind = this.gl.TEXTURE_2D) {
+    this.gl.activeTexture(this.gl.TEXTURE0 + unit);
+    this.gl.bindTexture(kind, texture);
+    return unit;
+  }
+
   /** Sets the uniforms of a program that both programs have. */
-  setUniforms({program, at}, sky, view, frame, {shadowed = true, light = 'seen'} = {}) {
-    const {gl, facts, shadow} = this, {map, photometry} = facts, table = this.tables[light];
-    gl.useProgram(program);
-    gl.uniform3fv(at('centre'), sky.centre);
-    gl.uniform1f(at('sunDistance'), sky.sunDistance);
-    gl.uniform1f(at('moonRadius'), facts.moonRadiusKm);
-    gl.uniformMatrix3fv(at('moonFromShadow'), false, transposed(sky.moonFrame));
-    gl.uniform1f(at('earthRadius'), facts.earth.opaqueKm);
-    gl.uniform1f(at('au'), facts.sun.auKm);
-    gl.uniform1i(at('nodes'), table.nodes);
-    gl.uniform1i(at('sectors'), table.sectors);
-    gl.uniform3fv(at('ends'), shadow.ends);
-    gl.uniform3fv(at('stretches'), table.stretches);
-    gl.uniform2fv(at('depths'), shadow.depths);
-    gl.uniform1f(at('middleDepth'), shadow.middleDepth);
-    gl.uniform2f(at('mapLogs'), map.logLow, map.logRange);
-    gl.uniform2f(at('mapLongitudes'), map.firstLongitude * Math.PI / 180, map.longitudes * Math.PI / 180);
-    gl.uniform2f(at('groundLongitudes'), map.ground.firstLongitude * Math.PI / 180,
-      map.ground.longitudes * Math.PI / 180);
-    gl.uniform1f(at('widestSurge'), map.ground.surge);
-    gl.uniform4f(at('law'), photometry.scale, photometry.incidence, photometry.emission, photometry.constant);
-    gl.uniform1fv(at('phases'), photometry.phase);
-    gl.uniform1fv(at('surges'), photometry.surge);
-    gl.uniform1f(at('phaseStep'), photometry.phaseDegrees * Math.PI / 180 / (photometry.phase.length - 1));
-    gl.uniform1i(at('shadowed'), shadowed ? 1 : 0);
-    gl.uniform1f(at('moonDistance'), view.distance);
-    for (const axis of ['forward', 'right', 'up']) gl.uniform3fv(at(axis), view[axis]);
-    gl.uniform2fv(at('middle'), frame.middle);
-    gl.uniform1f(at('pixel'), frame.pixel);
-    gl.uniform2f(at('size'), frame.width, frame.height);
-    [['light', this.lights[light]], ['map', this.map], ['ground', this.ground]].forEach(([name, texture], i) => {
-      gl.activeTexture(gl.TEXTURE0 + i);
-      gl.bindTexture(gl.TEXTURE_2D, texture);
-      gl.uniform1i(at(name), i);
+  setUniforms({program, set}, sky, view, frame, {shadowed = true, light = 'seen'} = {}) {
+    const {facts, shadow} = this, {map, photometry: law} = facts, {ground} = map, {nodes, sectors, stretches} = this.tables[light];
+    const longitudes = (of) => [of.firstLongitude * degree, of.longitudes * degree];
+    this.gl.useProgram(program);
+    set({
+      centre: sky.centre, sunDistance: sky.sunDistance, moonRadius: facts.moonRadiusKm,
+      moonFromShadow: transposed(sky.moonFrame), earthRadius: facts.earth.opaqueKm, au: facts.sun.auKm,
+      nodes, sectors, stretches, ends: shadow.ends, depths: shadow.depths, middleDepth: shadow.middleDepth,
+      mapLogs: [map.logLow, map.logRange], mapLongitudes: longitudes(map),
+      groundLongitudes: longitudes(ground), widestSurge: ground.surge,
+      law: [law.scale, law.incidence, law.emission, law.constant], phases: law.phase, surges: law.surge,
+      phaseStep: law.phaseDegrees * degree / (law.phase.length - 1), shadowed,
+      moonDistance: view.distance, forward: view.forward, right: view.right, up: view.up,
+      middle: frame.middle, pixel: frame.pixel, size: [frame.width, frame.height],
+      light: this.bound(0, this.lights[light]), map: this.bound(1, this.map), ground: this.bound(2, this.ground),
     });
   }
 
@@ -142,20 +137,14 @@ export class Picture {
    *        look   {exposure, view, around: light of the sky [cd/m²]} or {stops: true}
    */
   draw(sky, view, frame, look) {
-    const {gl, facts} = this, {at} = this.screen;
+    const {gl, facts} = this, table = this.views[look.view];
     this.setUniforms(this.screen, sky, view, frame);
-    const table = this.views[look.view];
-    gl.activeTexture(gl.TEXTURE3);
-    gl.bindTexture(gl.TEXTURE_3D, table ?? this.noView);
-    gl.uniform1i(at('view'), 3);
-    gl.uniform1i(at('look'), look.stops ? 2 : table ? 1 : look.view === 'Hue-preserving' ? 3 : 0);
-    gl.uniform1f(at('exposure'), look.exposure);
-    gl.uniform2f(at('viewCode'), facts.viewTable.gain, facts.viewTable.stops);
-    gl.uniform1f(at('viewSize'), facts.viewTable.size);
-    gl.uniform3fv(at('around'), look.stops ? [0, 0, 0] : look.around);
-    gl.uniform1f(at('fullMoon'), look.fullMoon ?? 1);
-    gl.uniform3fv(at('stopColours'), stopColours.flat());
-    gl.uniform1f(at('darker'), darker);
+    this.screen.set({
+      view: this.bound(3, table ?? this.noView, gl.TEXTURE_3D),
+      look: look.stops ? 2 : table ? 1 : look.view === 'Hue-preserving' ? 3 : 0, exposure: look.exposure,
+      viewCode: [facts.viewTable.gain, facts.viewTable.stops], viewSize: facts.viewTable.size,
+      around: look.stops ? [0, 0, 0] : look.around, fullMoon: look.fullMoon, stopColours: stopColours.flat(), darker,
+    });
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, frame.width, frame.height);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
@@ -163,14 +152,11 @@ export class Picture {
 
   /** Radiance in a picture, or at `places`: [pixel × 4], red, green and blue [cd/m²], and V. */
   read(sky, view, frame, {shadowed = true, light = 'seen', places = null} = {}) {
-    const {gl} = this, {at} = this.raw, {width, height} = frame;
+    const {gl} = this, {width, height} = frame;
     this.setUniforms(this.raw, sky, view, frame, {shadowed, light});
-    gl.activeTexture(gl.TEXTURE3);
-    gl.bindTexture(gl.TEXTURE_2D, this.places);
+    this.raw.set({places: this.bound(3, this.places), atPlaces: Boolean(places)});
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, places ? width : 1, places ? height : 1, 0, gl.RGBA, gl.FLOAT,
       places ?? new Float32Array(4));
-    gl.uniform1i(at('places'), 3);
-    gl.uniform1i(at('atPlaces'), places ? 1 : 0);
     const target = gl.createRenderbuffer();
     gl.bindRenderbuffer(gl.RENDERBUFFER, target);
     gl.renderbufferStorage(gl.RENDERBUFFER, gl.RGBA32UI, width, height);
