@@ -380,7 +380,7 @@ const std::set<std::string, std::less<>>& effective_by_themselves() {
       "sun-distance-km", "danjon-spread", "unknowns", "despite-misfit", "only", "longest", "repeat",
       "quick",
       // what is written, and how; several are refused where they contradict others
-      "output", "json", "csv", "recipe", "lookup", "raw", "photograph", "contact-sheet", "curve",
+      "output", "json", "csv", "recipe", "raw", "photograph", "contact-sheet", "curve",
       "movie", "hdr", "composite", "stage", "cache", "embed", "for", "list", "clean", "limit",
       "folder", "job", "dry-run", "replace", "shard", "keep", "add", "stars", "sky",
       // of a film: a run may make what a later one needs, and its folder keeps all of them
