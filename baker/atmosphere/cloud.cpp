@@ -9,15 +9,11 @@
 #include "algebra/interpolation.h"
 
 namespace coppermoon::atmosphere {
-namespace {
 
-/// Cubic step from 0 to 1, with slope 0 at either end.
 double smooth_step(double t) {
   t = std::clamp(t, 0., 1.);
   return t * t * (3 - 2 * t);
 }
-
-}  // namespace
 
 double cloud_chance_per_m(algebra::Angle latitude) {
   constexpr std::array<double, 10> degrees{0, 10, 20, 30, 40, 50, 60, 70, 80, 90};

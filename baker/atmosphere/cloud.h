@@ -5,6 +5,9 @@
 
 namespace coppermoon::atmosphere {
 
+/// Cubic step from 0 to 1 between t = 0 and 1, level at and beyond either end: how cloud and aerosol fade out.
+double smooth_step(double t);
+
 /// Largest distance of the tropopause of a day from its mean over the month [m].
 inline constexpr double tropopause_wander_m = 2e3;
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "algebra/error.h"
 #include "atmosphere/refractivity.h"
 
 namespace coppermoon::atmosphere {
@@ -24,8 +23,7 @@ double rayleigh_cross_section_m2(double refractivity, double king_factor,
 }
 
 double king_factor_bates_1984(algebra::Wavelength wavelength) {
-  const double nm = algebra::in_nanometres(wavelength);
-  algebra::require_within("wavelength [nm]", nm, shortest_nm, longest_nm);
+  const double nm = checked_nm(wavelength);
   const double s_squared = 1e6 / (nm * nm);
   const double nitrogen = 1.034 + 3.17e-4 * s_squared;
   const double oxygen = 1.096 + (1.385e-3 + 1.448e-4 * s_squared) * s_squared;

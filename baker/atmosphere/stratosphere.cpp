@@ -12,6 +12,7 @@
 
 #include "algebra/error.h"
 #include "algebra/table.h"
+#include "atmosphere/cloud.h"
 #include "atmosphere/refractivity.h"
 #include "atmosphere/tables.h"
 
@@ -39,9 +40,7 @@ Profiles log_extinction_profiles() {
 }
 
 double fade(double altitude_m) {
-  if (altitude_m >= fade_top_m) return 1;
-  const double t = (altitude_m - fade_bottom_m) / (fade_top_m - fade_bottom_m);
-  return t * t * (3 - 2 * t);
+  return smooth_step((altitude_m - fade_bottom_m) / (fade_top_m - fade_bottom_m));
 }
 
 const char* spectrum_of(StratosphericAerosol aerosol) {
@@ -128,8 +127,7 @@ const BandRecord& record() {
 
 /// 0 from 2 km under the tropopause down, 1 from the tropopause up.
 double over_the_tropopause(double altitude_m, double tropopause_m) {
-  const double t = std::clamp((altitude_m - tropopause_m) / 2e3 + 1, 0., 1.);
-  return t * t * (3 - 2 * t);
+  return smooth_step((altitude_m - tropopause_m) / 2e3 + 1);
 }
 
 /// Extinction of the layers of a month over a latitude.

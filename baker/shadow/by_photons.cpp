@@ -15,7 +15,7 @@
 #include "photons/photon.h"
 #include "photons/solar_disc.h"
 #include "shadow/limb_landings.h"
-#include "shadow/photon_rows.h"
+#include "shadow/photon_spectra.h"
 
 namespace coppermoon::shadow {
 namespace {

@@ -135,59 +135,51 @@ double surprise(std::span<const Ring> about, const Ring& middle, double direct, 
   return worst;
 }
 
-/// Rings at the axis distances asked for, and insertion of more between them.
-class Refinement {
- public:
-  Refinement(Solver& solver, std::span<const Atmosphere> airs, const Arrangement& arrangement)
-      : solver_(solver), airs_(airs), arrangement_(arrangement) {}
-
-  std::vector<Ring> rings(std::span<const double> gammas_m, const QuadratureSettings& settings,
-                          const algebra::Progress& progress) const {
-    auto all = solver_.rings(gammas_m, progress);
-    std::vector<bool> open(all.size(), settings.place_error > 0);  // interval above each ring
-    while (std::ranges::count(open, true) > 0 && all.size() >= 4) halve(settings, all, open);
-    return all;
+/// Halves the open intervals between rings; an interval stays open where the cubic erred by more than the tolerance.
+///
+/// Given  open  by ring: whether the interval above it is
+void halve(Solver& solver, std::span<const Atmosphere> airs, const Arrangement& arrangement,
+           const QuadratureSettings& settings, std::vector<Ring>& all, std::vector<bool>& open) {
+  constexpr double narrowest_m = 3e3;
+  std::vector<double> middles;
+  for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+    open[i] = open[i] && all[i + 1].gamma_m - all[i].gamma_m > 2 * narrowest_m;
+    if (open[i]) middles.push_back((all[i].gamma_m + all[i + 1].gamma_m) / 2);
   }
-
- private:
-  /// Halves the open intervals; an interval stays open where the cubic erred by more than the tolerance.
-  void halve(const QuadratureSettings& settings, std::vector<Ring>& all,
-             std::vector<bool>& open) const {
-    constexpr double narrowest_m = 3e3;
-    std::vector<double> middles;
-    for (std::size_t i = 0; i + 1 < all.size(); ++i) {
-      open[i] = open[i] && all[i + 1].gamma_m - all[i].gamma_m > 2 * narrowest_m;
-      if (open[i]) middles.push_back((all[i].gamma_m + all[i + 1].gamma_m) / 2);
-    }
-    open.back() = false;
-    auto found = solver_.rings(middles, {});
-    std::vector<bool> still(all.size());
-    for (std::size_t i = 0, next = 0; i < all.size(); ++i) {
-      if (!open[i]) continue;
-      const std::size_t first = std::clamp<std::size_t>(i, 1, all.size() - 3) - 1;
-      const auto& middle = found[next++];
-      still[i] = surprise(std::span(all).subspan(first, 4), middle,
-                          std::max(settings.dark_ratio,
-                                   direct_light(airs_.front(), arrangement_, middle.gamma_m)),
-                          airs_.size()) > settings.place_error;
-    }
-    std::vector<Ring> finer;
-    std::vector<bool> finer_open;
-    for (std::size_t i = 0, next = 0; i < all.size(); ++i) {
-      finer.push_back(std::move(all[i]));
-      finer_open.push_back(still[i]);
-      if (!open[i]) continue;
-      finer.push_back(std::move(found[next++]));
-      finer_open.push_back(still[i]);
-    }
-    all = std::move(finer);
-    open = std::move(finer_open);
+  open.back() = false;
+  auto found = solver.rings(middles, {});
+  std::vector<bool> still(all.size());
+  for (std::size_t i = 0, next = 0; i < all.size(); ++i) {
+    if (!open[i]) continue;
+    const std::size_t first = std::clamp<std::size_t>(i, 1, all.size() - 3) - 1;
+    const auto& middle = found[next++];
+    const double direct = direct_light(airs.front(), arrangement, middle.gamma_m);
+    still[i] = surprise(std::span(all).subspan(first, 4), middle,
+                        std::max(settings.dark_ratio, direct), airs.size()) > settings.place_error;
   }
+  std::vector<Ring> finer;
+  std::vector<bool> finer_open;
+  for (std::size_t i = 0, next = 0; i < all.size(); ++i) {
+    finer.push_back(std::move(all[i]));
+    finer_open.push_back(still[i]);
+    if (!open[i]) continue;
+    finer.push_back(std::move(found[next++]));
+    finer_open.push_back(still[i]);
+  }
+  all = std::move(finer);
+  open = std::move(finer_open);
+}
 
-  Solver& solver_;
-  std::span<const Atmosphere> airs_;
-  const Arrangement& arrangement_;
-};
+/// Rings at the axis distances asked for, with more inserted between them.
+std::vector<Ring> refined(Solver& solver, std::span<const Atmosphere> airs,
+                          const Arrangement& arrangement, std::span<const double> gammas_m,
+                          const QuadratureSettings& settings, const algebra::Progress& progress) {
+  auto all = solver.rings(gammas_m, progress);
+  std::vector<bool> open(all.size(), settings.place_error > 0);
+  while (std::ranges::count(open, true) > 0 && all.size() >= 4)
+    halve(solver, airs, arrangement, settings, all, open);
+  return all;
+}
 
 /// Writes rings' angles into the light's sectors. For an ellipsoid with one column, a sector interpolates
 /// between pole and equator linearly in cos 2θ: the limb's parts are mixed by cos² θ, so light has no higher
@@ -266,12 +258,11 @@ std::vector<Ring> rings_of(std::span<const Atmosphere> airs, const Arrangement& 
   const auto all = chosen(airs, optics, sun, optics.size());
   Solver solver(sunlit(all));
   if (settings.place_error == 0 || solver.keeps_light() || optics.size() <= telling)
-    return Refinement(solver, airs, arrangement).rings(axis_distances_m, settings, progress);
+    return refined(solver, airs, arrangement, axis_distances_m, settings, progress);
   const auto some = chosen(airs, optics, sun, telling);
   Solver quick(sunlit(some));
   std::vector<double> distances_m;
-  for (const auto& ring :
-       Refinement(quick, airs, arrangement).rings(axis_distances_m, settings, {}))
+  for (const auto& ring : refined(quick, airs, arrangement, axis_distances_m, settings, {}))
     distances_m.push_back(ring.gamma_m);
   return solver.rings(distances_m, progress);
 }

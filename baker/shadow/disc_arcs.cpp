@@ -8,7 +8,7 @@
 
 #include "algebra/quadrature.h"
 #include "shadow/padding.h"
-#include "shadow/weighted_rows.h"
+#include "shadow/landed_rows.h"
 
 namespace coppermoon::shadow {
 namespace {
@@ -87,6 +87,80 @@ void sort_out(std::vector<int>& values) {
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
+/// The Sun's projected disc about a place; lengths in bins.
+struct Disc {
+  const photons::DiscTerms& sun;
+  double gamma, a;
+  int highest;
+  std::array<double, 2> edges{std::abs(gamma - a),
+                              gamma + a};  ///< axis distances, nearer and farther
+
+  double half_arc(double r) const {
+    if (r + gamma <= a) return pi;
+    return std::acos(std::clamp((gamma * gamma + r * r - a * a) / (2 * gamma * r), -1., 1.));
+  }
+
+  Grid<double> darkness() const {
+    return {sun.functions.size(), static_cast<std::size_t>(highest) + 1};
+  }
+
+  /// Adds ∫ f(μ) cos mψ dψ along the arc of radius r, μ² = 1 − (r² + γ² − 2 r γ cos ψ)/a². The variable is
+  /// asin(ψ/half arc), in which μ is smooth up to the arc's ends; cos mψ follows by recurrence.
+  void add_arc(double r, double weight, Grid<double>& light) const {
+    const double half = half_arc(r);
+    if (half == 0) return;
+    if (highest == 0 && sun.functions.size() == 1 && sun.functions[0] == photons::DiscFunction{1}) {
+      light(0, 0) += 2 * half * weight;
+      return;
+    }
+    const auto& nodes = arc_nodes(highest, half);
+    const std::size_t whole = padded(nodes.size(), nodes_together);
+    std::vector<double> cosines(whole);
+    Grid<double> shed(sun.functions.size(), whole);
+    for (std::size_t j = 0; j < nodes.size(); ++j) cosines[j] = half * nodes[j].sine;
+    turn_into_cosines(cosines);
+    for (std::size_t j = 0; j < nodes.size(); ++j) {
+      const double out = (r * r + gamma * gamma - 2 * r * gamma * cosines[j]) / (a * a);
+      const double mu = std::sqrt(std::max(0., 1 - out));
+      for (std::size_t k = 0; k < sun.functions.size(); ++k)
+        shed(k, j) = 2 * half * weight * nodes[j].weight * photons::value(sun.functions[k], mu);
+    }
+    add_harmonics(cosines, shed, light);
+  }
+
+  /// Mean over bins at the disc's edge, integrated in the root of the distance from the nearer edge.
+  Grid<double> mean_over(int from, int to) const {
+    auto mean = darkness();
+    std::vector<double> ends{static_cast<double>(from), static_cast<double>(to)};
+    for (const double edge : edges)
+      if (edge > from && edge < to) ends.insert(ends.end() - 1, edge);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+      const bool edge_below = std::ranges::count(edges, ends[i]) > 0;
+      const double length = ends[i + 1] - ends[i];
+      for (const auto& node : algebra::gauss_legendre(nodes_an_edge)) {
+        const double t = (1 + node.x) / 2, away = length * t * t;
+        add_arc(edge_below ? ends[i] + away : ends[i + 1] - away,
+                node.weight * t * length / (to - from), mean);
+      }
+    }
+    return mean;
+  }
+
+  /// Ends of the stretches: closer together towards the edges.
+  std::vector<int> ends() const {
+    std::vector<int> cuts, all;
+    for (const double edge : edges)
+      for (const double whole : {std::floor(edge), std::ceil(edge)})
+        cuts.push_back(static_cast<int>(whole));
+    if (gamma < a) cuts.push_back(0);  // the disc contains whole circles about the axis
+    sort_out(cuts);
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+      add_graded(cuts[i], cuts[i + 1], widest(a, highest), all);
+    sort_out(all);
+    return all;
+  }
+};
+
 }  // namespace
 
 std::array<double, 3> square_through(double from, double to, const std::array<double, 3>& values) {
@@ -98,85 +172,23 @@ std::array<double, 3> square_through(double from, double to, const std::array<do
           square};
 }
 
-DiscArcs::DiscArcs(const photons::DiscTerms& sun, double gamma, double a, int highest)
-    : sun_(sun), gamma_(gamma), a_(a), highest_(highest), edges_{std::abs(gamma - a), gamma + a} {
-  std::vector<int> cuts;
-  for (const double edge : edges_)
-    for (const double whole : {std::floor(edge), std::ceil(edge)})
-      cuts.push_back(static_cast<int>(whole));
-  if (gamma < a) cuts.push_back(0);  // the disc contains whole circles about the axis
-  sort_out(cuts);
-  for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
-    add_graded(cuts[i], cuts[i + 1], widest(a, highest), ends_);
-  sort_out(ends_);
-}
-
-double DiscArcs::half_arc(double r) const {
-  if (r + gamma_ <= a_) return pi;
-  return std::acos(std::clamp((gamma_ * gamma_ + r * r - a_ * a_) / (2 * gamma_ * r), -1., 1.));
-}
-
-Grid<double> DiscArcs::darkness() const {
-  return {sun_.functions.size(), static_cast<std::size_t>(highest_) + 1};
-}
-
-/// Adds ∫ f(μ) cos mψ dψ along the arc of radius r, μ² = 1 − (r² + γ² − 2 r γ cos ψ)/a². The variable is
-/// asin(ψ/half arc), in which μ is smooth up to the arc's ends; cos mψ follows by recurrence.
-void DiscArcs::add_arc(double r, double weight, Grid<double>& light) const {
-  const double half = half_arc(r);
-  if (half == 0) return;
-  if (highest_ == 0 && sun_.functions.size() == 1 &&
-      sun_.functions[0] == photons::DiscFunction{1}) {
-    light(0, 0) += 2 * half * weight;
-    return;
-  }
-  const auto& nodes = arc_nodes(highest_, half);
-  const std::size_t whole = padded(nodes.size(), nodes_together);
-  std::vector<double> cosines(whole);
-  Grid<double> shed(sun_.functions.size(), whole);
-  for (std::size_t j = 0; j < nodes.size(); ++j) cosines[j] = half * nodes[j].sine;
-  turn_into_cosines(cosines);
-  for (std::size_t j = 0; j < nodes.size(); ++j) {
-    const double out = (r * r + gamma_ * gamma_ - 2 * r * gamma_ * cosines[j]) / (a_ * a_);
-    const double mu = std::sqrt(std::max(0., 1 - out));
-    for (std::size_t k = 0; k < sun_.functions.size(); ++k)
-      shed(k, j) = 2 * half * weight * nodes[j].weight * photons::value(sun_.functions[k], mu);
-  }
-  add_harmonics(cosines, shed, light);
-}
-
-/// Mean over bins at the disc's edge, integrated in the root of the distance from the nearer edge.
-Grid<double> DiscArcs::mean_over(int from, int to) const {
-  auto mean = darkness();
-  std::vector<double> ends{static_cast<double>(from), static_cast<double>(to)};
-  for (const double edge : edges_)
-    if (edge > from && edge < to) ends.insert(ends.end() - 1, edge);
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    const bool edge_below = std::ranges::count(edges_, ends[i]) > 0;
-    const double length = ends[i + 1] - ends[i];
-    for (const auto& node : algebra::gauss_legendre(nodes_an_edge)) {
-      const double t = (1 + node.x) / 2, away = length * t * t;
-      add_arc(edge_below ? ends[i] + away : ends[i + 1] - away,
-              node.weight * t * length / (to - from), mean);
-    }
-  }
-  return mean;
-}
-
-std::vector<Stretch> DiscArcs::stretches(int from, int to) const {
+std::vector<Stretch> disc_stretches(const photons::DiscTerms& sun, double gamma, double a,
+                                    int highest, int from, int to) {
+  const Disc disc{sun, gamma, a, highest};
+  const auto ends = disc.ends();
   std::vector<Stretch> all;
-  for (std::size_t i = 0; i + 1 < ends_.size(); ++i) {
-    const int low = ends_[i], high = ends_[i + 1];
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    const int low = ends[i], high = ends[i + 1];
     if (high <= from || low >= to) continue;
     if (high - low == 1) {
-      const auto mean = mean_over(low, high);
+      const auto mean = disc.mean_over(low, high);
       all.push_back({low, high, {mean, mean, mean}});
       continue;
     }
-    Stretch stretch{low, high, {darkness(), darkness(), darkness()}};
+    Stretch stretch{low, high, {disc.darkness(), disc.darkness(), disc.darkness()}};
     for (int n = 0; n < 3; ++n)
-      add_arc((low + high) / 2. + (n - 1) * gauss_node * (high - low) / 2., 1,
-              stretch.light[static_cast<std::size_t>(n)]);
+      disc.add_arc((low + high) / 2. + (n - 1) * gauss_node * (high - low) / 2., 1,
+                   stretch.light[static_cast<std::size_t>(n)]);
     all.push_back(std::move(stretch));
   }
   return all;

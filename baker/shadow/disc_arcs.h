@@ -25,27 +25,12 @@ std::array<double, 3> square_through(double from, double to, const std::array<do
 /// Arcs about the axis within the Sun's disc that is projected about a place, as stretches of axis distance.
 /// Stretches narrow towards the disc's edges, where an arc's length goes as the root of the distance from
 /// the edge; at the edges they are one bin wide and hold the mean over the bin.
-class DiscArcs {
- public:
-  /// Given  gamma    axis distance of the place, in bins
-  ///        a        radius of the disc, in bins
-  ///        highest  harmonic
-  DiscArcs(const photons::DiscTerms& sun, double gamma, double a, int highest);
-
-  /// Stretches between two axis distances, in bins.
-  std::vector<Stretch> stretches(int from, int to) const;
-
- private:
-  double half_arc(double r) const;
-  algebra::Grid<double> darkness() const;
-  void add_arc(double r, double weight, algebra::Grid<double>& light) const;
-  algebra::Grid<double> mean_over(int from, int to) const;
-
-  const photons::DiscTerms& sun_;
-  double gamma_, a_;
-  int highest_;
-  std::array<double, 2> edges_;  ///< axis distances of the disc's edges, nearer and farther
-  std::vector<int> ends_;
-};
+///
+/// Given     gamma    axis distance of the place, in bins
+///           a        radius of the disc, in bins
+///           highest  harmonic
+///           from, to  axis distances, in bins, between which stretches are wanted
+std::vector<Stretch> disc_stretches(const photons::DiscTerms& sun, double gamma, double a,
+                                    int highest, int from, int to);
 
 }  // namespace coppermoon::shadow

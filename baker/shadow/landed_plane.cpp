@@ -9,7 +9,7 @@
 #include <numbers>
 #include <optional>
 
-#include "shadow/weighted_rows.h"
+#include "shadow/landed_rows.h"
 
 namespace coppermoon::shadow {
 namespace {
@@ -33,10 +33,6 @@ std::size_t add_ends(int from, int to, std::vector<int>& nodes) {
   if (nodes.empty() || nodes.back() != from) nodes.push_back(from);
   nodes.push_back(to);
   return nodes.size() - 2;
-}
-
-PartRows rows_of(const LandedLight& landed) {
-  return {landed.sums(), landed.first(), landed.last()};
 }
 
 }  // namespace
@@ -223,10 +219,8 @@ void LandedPlane::add_series(const Draws& draws, const Blocks& blocks, std::size
   for (std::size_t h = 0; h < harmonics.size(); ++h)
     rows.push_back({harmonics[h].weights.data(), draws.factors.row(harmonics[h].harmonic).data(),
                     sums.row(h).data()});
-  std::vector<PartRows> parts;
-  for (std::size_t p = 0; p < around.parts.size(); ++p)
-    parts.push_back(rows_of(blocks.landed[block * around.parts.size() + p]));
-  add_weighted_rows(parts, draws.nodes, terms, rows);
+  const std::size_t all = around.parts.size();
+  add_landed_rows(std::span(blocks.landed).subspan(block * all, all), draws.nodes, terms, rows);
   std::vector<Block> series(harmonics.size());
   for (std::size_t h = 0; h < harmonics.size(); ++h)
     for (std::size_t term = 0; term < terms; ++term)
@@ -269,7 +263,7 @@ void LandedPlane::add_angles(const Draws& draws, const Blocks& blocks, std::size
   for (std::size_t block = 0; block < blocks.count; ++block) {
     std::vector<double> sums(terms * angles_together * lanes);
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      add_turned_rows(rows_of(blocks.landed[block * all + parts[k]]), draws.nodes,
+      add_turned_rows(blocks.landed[block * all + parts[k]], draws.nodes,
                       &turned[k * draws.factors.columns() * angles_together], terms, sums.data());
     }
     const std::size_t wave = (blocks.first + block) * lanes;
@@ -283,23 +277,25 @@ void LandedPlane::add_angles(const Draws& draws, const Blocks& blocks, std::size
 
 LandedPlane::Draws LandedPlane::draws(double gamma) const {
   const std::size_t harmonics = std::min(sunlit_.around.harmonics(), harmonics_at(gamma / a_));
-  const DiscArcs arcs(sunlit_.sun, gamma / sunlit_.bin_m, a_ / sunlit_.bin_m,
-                      static_cast<int>(harmonics) - 1);
-  const auto stretches = arcs.stretches(0, std::max(-first_, last_));
+  const auto stretches =
+      disc_stretches(sunlit_.sun, gamma / sunlit_.bin_m, a_ / sunlit_.bin_m,
+                     static_cast<int>(harmonics) - 1, 0, std::max(-first_, last_));
   Draws all{gamma, {}, {}};
-  std::vector<std::size_t> places;
-  for (const auto& stretch : stretches)
-    if (stretch.from < last_ && stretch.to > first_)
-      places.push_back(add_ends(stretch.from, stretch.to, all.nodes));
-  for (const auto& stretch : stretches)
-    if (-stretch.to < last_ && -stretch.from > first_)
-      places.push_back(add_ends(-stretch.from, -stretch.to, all.nodes));
+  struct Drawn {
+    const Stretch& stretch;
+    bool across;
+    std::size_t node;
+  };
+  std::vector<Drawn> drawn;
+  for (const bool across : {false, true})
+    for (const auto& stretch : stretches) {
+      const int inner = across ? -stretch.from : stretch.from,
+                outer = across ? -stretch.to : stretch.to;
+      if (std::min(inner, outer) < last_ && std::max(inner, outer) > first_)
+        drawn.push_back({stretch, across, add_ends(inner, outer, all.nodes)});
+    }
   all.factors = {harmonics, all.nodes.size() * sunlit_.sun.functions.size() * moments};
-  auto place = places.begin();
-  for (const auto& stretch : stretches)
-    if (stretch.from < last_ && stretch.to > first_) collect(stretch, false, *place++, all);
-  for (const auto& stretch : stretches)
-    if (-stretch.to < last_ && -stretch.from > first_) collect(stretch, true, *place++, all);
+  for (const auto& [stretch, across, node] : drawn) collect(stretch, across, node, all);
   return all;
 }
 

@@ -10,7 +10,7 @@
 #include "algebra/grid.h"
 #include "photons/limb.h"
 #include "shadow/irradiance.h"
-#include "shadow/photon_rows.h"
+#include "shadow/photon_spectra.h"
 
 namespace coppermoon::shadow {
 

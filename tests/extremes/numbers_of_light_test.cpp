@@ -16,7 +16,7 @@
 #include "shadow/by_photons.h"
 #include "shadow/by_quadrature.h"
 #include "shadow/lookup.h"
-#include "shadow/photon_rows.h"
+#include "shadow/photon_spectra.h"
 #include "shadow/twilight.h"
 
 namespace coppermoon::extremes {

@@ -122,9 +122,8 @@ def by_band(shapes):
         latitude = float(row["lat"])
         band = np.searchsorted(EDGES, latitude) - 1
         weight = np.cos(np.radians(latitude))
-        if row["z_km"] == shapes[0]["z_km"] or True:
-            extinction[band, :, heights.index(float(row["z_km"]))] += weight * np.array(
-                [float(row[f"box{i}"]) for i in range(1, 9)])
+        extinction[band, :, heights.index(float(row["z_km"]))] += weight * np.array(
+            [float(row[f"box{i}"]) for i in range(1, 9)])
     for latitude in latitudes:
         weights[np.searchsorted(EDGES, latitude) - 1] += np.cos(np.radians(latitude))
     extinction /= weights[:, None, None]

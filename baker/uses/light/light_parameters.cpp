@@ -399,7 +399,7 @@ void describe_solver(Parameters& is, LightRequest& light) {
   is.begin(light_heading, "", Affects::light);
   is.add(parameter("photons", light.photons,
                    "number of photons, 1 to 1e12; default: as many as the tolerance needs. 1e6 "
-                   "take a second by the table, literal minutes"))
+                   "take a second by the table, literal ones minutes"))
       .within(1, 1e12)
       .only_with({{"solver", {"auto", "photons", "literal"}}, {"quality", {"paper"}}})
       .replaced_by_plan();

@@ -30,8 +30,7 @@ TEST(DiscArcs, AreTheIntegralOverTheSunsDiscStepByStep) {
   const std::vector<double> waves{400, 550, 700};
   const auto sun = photons::disc_terms(waves, true, 6);
   for (const double gamma : {150., 420., 1500.}) {
-    const DiscArcs arcs(sun, gamma, 450, 0);
-    for (const auto& stretch : arcs.stretches(0, 3000)) {
+    for (const auto& stretch : disc_stretches(sun, gamma, 450, 0, 0, 3000)) {
       if (stretch.to - stretch.from < 20) continue;
       const double middle = (stretch.from + stretch.to) / 2.;
       const double exact = along_arc(sun.functions[0], middle, gamma, 450);
@@ -45,9 +44,9 @@ TEST(DiscArcs, AreTheIntegralOverTheSunsDiscStepByStep) {
 TEST(DiscArcs, HaveTheHarmonicsOfTheIntegralStepByStep) {
   const auto sun = photons::disc_terms(std::vector<double>{400, 550, 700}, true, 6);
   for (const double gamma : {150., 440., 1500.}) {
-    const DiscArcs arcs(sun, gamma, 450, 120);
     for (const double r : {300., 580., 1200.})
-      for (const auto& stretch : arcs.stretches(static_cast<int>(r), static_cast<int>(r) + 1)) {
+      for (const auto& stretch :
+           disc_stretches(sun, gamma, 450, 120, static_cast<int>(r), static_cast<int>(r) + 1)) {
         if (stretch.to - stretch.from == 1) continue;
         const double middle = (stretch.from + stretch.to) / 2.;
         for (const int m : {0, 1, 7, 40, 120})

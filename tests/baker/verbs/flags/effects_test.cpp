@@ -375,8 +375,8 @@ const std::set<std::string, std::less<>>& effective_by_themselves() {
       "instant", "eclipse", "calendar", "year", "from", "to", "step", "at", "focal-length", "zone",
       "on", "feature", "instants", "frame", "photo", "render", "photos", "photographs",
       "magnitudes", "recipe-in", "commands", "shadow-convention", "brightness", "moon-distance-km",
-      "sun-distance-km", "danjon-spread", "unknowns", "despite-misfit", "only", "longest", "repeat",
-      "quick",
+      "sun-distance-km", "wavelengths", "axis-distances", "position-angle", "danjon-spread",
+      "unknowns", "despite-misfit", "only", "longest", "repeat", "quick",
       // what is written, and how; several are refused where they contradict others
       "output", "json", "csv", "recipe", "raw", "photograph", "contact-sheet", "curve",
       "movie", "hdr", "composite", "stage", "cache", "embed", "for", "list", "clean", "limit",

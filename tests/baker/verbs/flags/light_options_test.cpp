@@ -64,10 +64,10 @@ TEST(LightRequest, HasAKeyThatKnowsTheAirAndNotTheNumberOfPhotons) {
   };
   const auto usual = key("");
   EXPECT_EQ(key("--photons 5 --shard 1/3 --keep a --add b --add c --starlight on"), usual);
-  for (const std::string other :
-       {"--ozone-du 300", "--seed 2", "--rays 99", "--solver literal", "--step-km 3", "--ring-km 7",
-        "--limb-darkening off", "--atmosphere paper"})
+  for (const std::string other : {"--ozone-du 300", "--seed 2", "--rays 99", "--step-km 3",
+                                  "--ring-km 7", "--limb-darkening off", "--atmosphere paper"})
     EXPECT_NE(key(other), usual) << other;
+  EXPECT_NE(request_after("--solver literal").photon_files.key, usual);
 }
 
 }  // namespace

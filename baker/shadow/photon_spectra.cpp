@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "shadow/photon_rows.h"
+#include "shadow/photon_spectra.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "shadow/photon_rows.cpp"
+#define HWY_TARGET_INCLUDE "shadow/photon_spectra.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "shadow/photon_rows.h"
+#include "shadow/photon_spectra.h"
 
 #include <gtest/gtest.h>
 

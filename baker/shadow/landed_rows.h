@@ -9,14 +9,7 @@
 
 namespace coppermoon::shadow {
 
-/// Rows of one part of the limb: [node − first][moment][lane]; nodes before the first and after the last
-/// count as these.
-struct PartRows {
-  const double* rows;
-  int first, last;
-};
-
-/// One harmonic of the position angle.
+/// One harmonic of the position angle, to which rows of landed light are added.
 struct HarmonicRows {
   const double* weights;  ///< [part]
   const double* factors;  ///< [node][term][moment]
@@ -24,9 +17,12 @@ struct HarmonicRows {
 };
 
 /// Adds, for each harmonic, sums[term][lane] += Σ factors[i][term][moment] Σ weights[part] row of
-/// part[nodes[i]][moment][lane], with the machine's widest vectors.
-void add_weighted_rows(std::span<const PartRows> parts, std::span<const int> nodes,
-                       std::size_t terms, std::span<const HarmonicRows> harmonics);
+/// part[nodes[i]][moment][lane], with the machine's widest vectors. Nodes before a part's first and after its last
+/// count as these.
+///
+/// Given  parts  light of each part of the limb
+void add_landed_rows(std::span<const LandedLight> parts, std::span<const int> nodes,
+                     std::size_t terms, std::span<const HarmonicRows> harmonics);
 
 /// Number of position angles that stand side by side.
 inline constexpr std::size_t angles_together = 8;
@@ -36,7 +32,7 @@ void turn_factors(const algebra::Grid<double>& factors,
                   const std::vector<std::vector<double>>& turns, std::vector<double>& turned);
 
 /// Adds sums[term][angle][lane] += Σ factors[i][term][moment][angle] row[nodes[i]][moment][lane], vectorised.
-void add_turned_rows(const PartRows& part, std::span<const int> nodes, const double* factors,
+void add_turned_rows(const LandedLight& part, std::span<const int> nodes, const double* factors,
                      std::size_t terms, double* sums);
 
 /// Number of nodes in a group; the last group is filled up with nodes of weight 0.

@@ -10,7 +10,7 @@
 
 namespace coppermoon::shadow {
 
-/// Length of a row for so many wavelengths; values of the padding are not gathered.
+/// Length of a photon's row for so many wavelengths; values of the padding are not gathered.
 constexpr std::size_t padded(std::size_t waves) { return padded(waves, 16); }
 
 /// Place between two consecutive rows, and a factor on their weighted mean.
@@ -20,10 +20,10 @@ struct Between {
   float factor = 1;
 };
 
-/// Writes the interpolated row at each place.
+/// Writes each photon's row, interpolated at its place.
 void interpolate(std::span<const Between> places, algebra::Grid<float>& rows);
 
-/// Multiplies each row by the interpolated row at its place.
+/// Multiplies each photon's row by the interpolated row at its place.
 void multiply(std::span<const Between> places, algebra::Grid<float>& rows);
 
 /// Cells of a plane: rings of axis distance, one more for all that lands farther out, times sectors, of which

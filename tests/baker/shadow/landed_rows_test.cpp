@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "shadow/weighted_rows.h"
+#include "shadow/landed_rows.h"
 
 #include <cmath>
 #include <vector>

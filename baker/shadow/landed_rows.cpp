@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "shadow/weighted_rows.h"
+#include "shadow/landed_rows.h"
 
 #include <algorithm>
 #include <array>
 #include <vector>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "shadow/weighted_rows.cpp"
+#define HWY_TARGET_INCLUDE "shadow/landed_rows.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once for each instruction set
 #include <hwy/highway.h>
 
@@ -18,9 +18,9 @@ namespace coppermoon::shadow::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// Row of a node, clamped to the part's nodes.
-inline const double* row_at(const PartRows& part, int node) {
-  const int place = std::clamp(node, part.first, part.last) - part.first;
-  return part.rows + static_cast<std::size_t>(place) * moments * lanes;
+inline const double* row_at(const LandedLight& part, int node) {
+  const int place = std::clamp(node, part.first(), part.last()) - part.first();
+  return part.sums() + static_cast<std::size_t>(place) * moments * lanes;
 }
 
 /// Adds one node's rows to so many harmonics at once.
@@ -55,7 +55,7 @@ void add_node(std::span<const double* const> rows, const HarmonicRows* harmonics
   }
 }
 
-void add_weighted(std::span<const PartRows> parts, std::span<const int> nodes, std::size_t terms,
+void add_weighted(std::span<const LandedLight> parts, std::span<const int> nodes, std::size_t terms,
                   std::span<const HarmonicRows> harmonics) {
   constexpr std::size_t together = 4;
   static_assert(moments == 3);
@@ -109,7 +109,7 @@ void turn_all(const algebra::Grid<double>& factors, const std::vector<std::vecto
   }
 }
 
-void add_turned(const PartRows& part, std::span<const int> nodes, const double* factors,
+void add_turned(const LandedLight& part, std::span<const int> nodes, const double* factors,
                 std::size_t terms, double* sums) {
   const hn::CappedTag<double, lanes> d;
   const std::size_t width = hn::Lanes(d);
@@ -167,8 +167,8 @@ namespace coppermoon::shadow {
 
 HWY_EXPORT(add_weighted);
 
-void add_weighted_rows(std::span<const PartRows> parts, std::span<const int> nodes,
-                       std::size_t terms, std::span<const HarmonicRows> harmonics) {
+void add_landed_rows(std::span<const LandedLight> parts, std::span<const int> nodes,
+                     std::size_t terms, std::span<const HarmonicRows> harmonics) {
   HWY_DYNAMIC_DISPATCH(add_weighted)(parts, nodes, terms, harmonics);
 }
 
@@ -182,7 +182,7 @@ void turn_factors(const algebra::Grid<double>& factors,
 
 HWY_EXPORT(add_turned);
 
-void add_turned_rows(const PartRows& part, std::span<const int> nodes, const double* factors,
+void add_turned_rows(const LandedLight& part, std::span<const int> nodes, const double* factors,
                      std::size_t terms, double* sums) {
   HWY_DYNAMIC_DISPATCH(add_turned)(part, nodes, factors, terms, sums);
 }
