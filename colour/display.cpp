@@ -14,8 +14,7 @@
 #include <utility>
 
 #include "algebra/error.h"
-#include "colour/config_depth.h"
-#include "colour/lut_files.h"
+#include "colour/config_guard.h"
 #include "colour/tables.h"
 
 namespace ocio = OCIO_NAMESPACE;
@@ -47,46 +46,12 @@ ocio::ConstConfigRcPtr config_at(const std::filesystem::path& path) try {
   if (path.string().starts_with("ocio://") && ocio::GetVersionHex() < 0x02020000)
     throw Error(fmt::format("{}: OpenColorIO {} has no configurations of its own, allowed a file",
                             path.string(), ocio::GetVersion()));
-  require_readable(path);
-  auto config = ocio::Config::CreateFromFile(path.c_str());
-  require_regular_luts(*config);
-  try {
-    require_end(*config);
-  } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", path.string(), error.what()));
-  }
-  return config;
+  return guarded_config(path);
 } catch (const ocio::Exception& problem) {
   throw Error(fmt::format("{}: {}", path.empty() ? "config.ocio" : path.string(), problem.what()));
 }
 
 constexpr const char *usual_view = "Hue-preserving", *view_of_others = "Un-tone-mapped";
-
-/// Active ones of a user's configuration; all of the built-in one, whatever OCIO_ACTIVE_DISPLAYS and
-/// OCIO_ACTIVE_VIEWS say.
-std::vector<std::string> displays_at(const std::filesystem::path& path) {
-  const auto config = config_at(path);
-  std::vector<std::string> names;
-  if (path.empty())
-    for (int i = 0; i < config->getNumDisplaysAll(); ++i)
-      names.emplace_back(config->getDisplayAll(i));
-  else
-    for (int i = 0; i < config->getNumDisplays(); ++i) names.emplace_back(config->getDisplay(i));
-  return names;
-}
-
-std::vector<std::string> views_at(const std::filesystem::path& path, const std::string& display) {
-  const auto config = config_at(path);
-  const char* of = display.c_str();
-  std::vector<std::string> names;
-  if (path.empty())
-    for (const auto type : {ocio::VIEW_DISPLAY_DEFINED, ocio::VIEW_SHARED})
-      for (int i = 0; i < config->getNumViews(type, of); ++i)
-        names.emplace_back(config->getView(type, of, i));
-  else
-    for (int i = 0; i < config->getNumViews(of); ++i) names.emplace_back(config->getView(of, i));
-  return names;
-}
 
 /// The one of that name: the same letters, else the same in another case.
 std::string one_of(std::string_view what, const std::string& name,
@@ -173,9 +138,7 @@ ocio::ConstProcessorRcPtr processor(WorkingSpace space, const DisplayTransform& 
   const auto all =
       built_in_config()->getProcessor(ours.c_str(), bridge.ours.c_str())->createGroupTransform();
   all->appendTransform(transform);
-  auto processor = config->getProcessor(all);
-  require_finite_luts(*processor);
-  return processor;
+  return config->getProcessor(all);
 } catch (const ocio::Exception& problem) {
   throw Error(fmt::format("view \"{}\": {}", development.view, problem.what()));
 }
@@ -215,16 +178,31 @@ std::filesystem::path config_for(const std::string& view, const std::string& dis
   }
 }
 
-std::vector<std::string> displays(const std::filesystem::path& config) {
-  return displays_at(config);
+std::vector<std::string> displays(const std::filesystem::path& path) {
+  const auto config = config_at(path);
+  const bool all = path.empty();  // whatever OCIO_ACTIVE_DISPLAYS says
+  std::vector<std::string> names;
+  for (int i = 0; i < (all ? config->getNumDisplaysAll() : config->getNumDisplays()); ++i)
+    names.emplace_back(all ? config->getDisplayAll(i) : config->getDisplay(i));
+  return names;
 }
 
-std::vector<std::string> views(const std::string& display, const std::filesystem::path& config) {
-  return views_at(config, display_named(display, config));
+std::vector<std::string> views(const std::string& display, const std::filesystem::path& path) {
+  const auto config = config_at(path);
+  const auto named = display_named(display, path);
+  const char* of = named.c_str();
+  std::vector<std::string> names;
+  if (path.empty())  // all, whatever OCIO_ACTIVE_VIEWS says
+    for (const auto type : {ocio::VIEW_DISPLAY_DEFINED, ocio::VIEW_SHARED})
+      for (int i = 0; i < config->getNumViews(type, of); ++i)
+        names.emplace_back(config->getView(type, of, i));
+  else
+    for (int i = 0; i < config->getNumViews(of); ++i) names.emplace_back(config->getView(of, i));
+  return names;
 }
 
 std::string display_named(const std::string& name, const std::filesystem::path& config) {
-  return one_of("display", name, displays_at(config));
+  return one_of("display", name, displays(config));
 }
 
 std::string view_named(const std::string& name, const std::string& display,

@@ -37,9 +37,9 @@ struct DisplayTransform {
 /// Accuracy  sRGB without tone mapping: 2e-5 of the coded value from IEC 61966-2-1
 /// Throws    Error  when a scaled channel is not finite (names the pixel), the scale is not above
 ///                  0, the configuration cannot be read, has no such view or display (names those it
-///                  has), knows none of these spaces, or has no config_space, or a look-up table of it has an entry
-///                  that is not finite (names file and line) or is no regular file, or names such a
-///                  file; when what it describes is made of itself, or has no reasonable end
+///                  has), knows none of these spaces, or has no config_space; when it would keep
+///                  OpenColorIO busy for ever: it is made of itself, or a look-up table is no
+///                  regular file or names another
 Image developed(Image scene_linear, WorkingSpace space, const DisplayTransform& development = {});
 
 /// Identifier of a colour transform, equal for equal tables whatever their files are called; the scale is left
@@ -53,13 +53,13 @@ std::string fingerprint(WorkingSpace space, const DisplayTransform& development)
 std::filesystem::path config_for(const std::string& view, const std::string& display,
                                  const std::filesystem::path& config);
 
-/// Displays of a configuration (empty: the built-in one; ocio://…: one of OpenColorIO's own, from 2.2 on), the default
-/// first.
+/// Displays of a configuration (empty: the built-in one, all; ocio://…: one of OpenColorIO's own, from 2.2 on), the
+/// active ones, the default first.
 ///
 /// Throws  Error  when the configuration cannot be read
 std::vector<std::string> displays(const std::filesystem::path& config = {});
 
-/// Views of a display, the default first.
+/// Views of a display, of a user's configuration the active ones, the default first.
 ///
 /// Throws  Error  when the configuration cannot be read or has no such display
 std::vector<std::string> views(const std::string& display = "sRGB",

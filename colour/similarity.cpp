@@ -19,14 +19,15 @@ glm::dvec2 turned(const Similarity& by, const glm::dvec2& v) {
   return {c * x - s * v.y, s * x + c * v.y};
 }
 
-/// See between_pixels.
-inline double light_at(const algebra::Grid<float>& image, const glm::dvec2& pixel) {
+}  // namespace
+
+double between_pixels(const algebra::Grid<float>& image, const glm::dvec2& pixel) {
   const double x = pixel.x - 0.5, y = pixel.y - 0.5;
   const auto rows = static_cast<std::ptrdiff_t>(image.rows()),
              columns = static_cast<std::ptrdiff_t>(image.columns());
   if (!(x > -1 && y > -1 && x < static_cast<double>(columns) && y < static_cast<double>(rows)))
     return 0;
-  // Above −1 all that is cut off is the part behind the point, of one more.
+  // The cast truncates; adding 1 first makes it a floor for x > −1.
   const auto column = static_cast<std::ptrdiff_t>(x + 1) - 1,
              row = static_cast<std::ptrdiff_t>(y + 1) - 1;
   const double across = x - static_cast<double>(column), down = y - static_cast<double>(row);
@@ -45,6 +46,8 @@ inline double light_at(const algebra::Grid<float>& image, const glm::dvec2& pixe
   return between(value(row, column), value(row, column + 1), value(row + 1, column),
                  value(row + 1, column + 1));
 }
+
+namespace {
 
 /// Overlap of two unit triangles, each smoothed by another, ∫ (Λ∗Λ)(x) (Λ∗Λ)(x + apart) dx: the B-spline of order 8.
 double overlap(double apart) {
@@ -79,10 +82,6 @@ Similarity composed(const Similarity& first, const Similarity& second) {
           first.mirrored != second.mirrored};
 }
 
-double between_pixels(const algebra::Grid<float>& image, const glm::dvec2& pixel) {
-  return light_at(image, pixel);
-}
-
 Resampled::Resampled(const algebra::Grid<float>& image, const Similarity& similarity)
     : image_(&image) {
   algebra::require_within("scale of a picture", similarity.scale, 1e-4, 1e4);
@@ -97,8 +96,8 @@ float Resampled::at(std::size_t row, std::size_t column) const {
   double sum = 0;
   for (int j = 0; j < side_; ++j)
     for (int i = 0; i < side_; ++i)
-      sum +=
-          light_at(*image_, corner_ + (static_cast<double>(column) + (i + 0.5) / side_) * across_ +
+      sum += between_pixels(*image_,
+                            corner_ + (static_cast<double>(column) + (i + 0.5) / side_) * across_ +
                                 (static_cast<double>(row) + (j + 0.5) / side_) * down_);
   return static_cast<float>(sum / (side_ * side_));
 }

@@ -29,17 +29,21 @@ struct Primaries {
 
 constexpr glm::dvec2 d65{0.3127, 0.3290};
 
-Primaries primaries_of(WorkingSpace space) {
-  switch (space) {
-    case WorkingSpace::linear_rec709:
-      return {{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}, d65};
-    case WorkingSpace::acescg:
-      return {{0.713, 0.293}, {0.165, 0.830}, {0.128, 0.044}, {0.32168, 0.33767}};
-    case WorkingSpace::ciexyz_d65:
-      break;
-  }
-  return {{1, 0}, {0, 1}, {0, 0}, {1.0 / 3, 1.0 / 3}};
-}
+/// Names of a space, the first its own, and the chromaticities of its primaries and white.
+struct Space {
+  std::array<std::string_view, 3> names;
+  Primaries primaries;
+};
+
+/// [WorkingSpace]
+constexpr std::array<Space, 3> spaces{
+    {{{"lin_rec709", "lin_rec709_scene", "lin_srgb"},
+      {{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}, d65}},
+     {{"acescg", "lin_ap1", "lin_ap1_scene"},
+      {{0.713, 0.293}, {0.165, 0.830}, {0.128, 0.044}, {0.32168, 0.33767}}},
+     {{"lin_ciexyzd65_scene", "ciexyzd65"}, {{1, 0}, {0, 1}, {0, 0}, {1.0 / 3, 1.0 / 3}}}}};
+
+const Space& about(WorkingSpace space) { return spaces[static_cast<std::size_t>(space)]; }
 
 glm::dvec3 direction_of(glm::dvec2 xy) { return {xy.x, xy.y, 1 - xy.x - xy.y}; }
 
@@ -66,7 +70,7 @@ struct Matrices {
 
 Matrices derived(WorkingSpace space) {
   if (space == WorkingSpace::ciexyz_d65) return {glm::dmat3(1), glm::dmat3(1)};
-  const auto primaries = primaries_of(space);
+  const auto primaries = about(space).primaries;
   const auto rgb_from_xyz =
       glm::inverse(xyz_from_rgb(primaries)) * adaptation(d65, primaries.white);
   return {rgb_from_xyz, glm::inverse(rgb_from_xyz)};
@@ -94,19 +98,8 @@ double share_of_grey(const glm::dvec3& colour, const glm::dvec3& grey) {
 }  // namespace
 
 std::span<const std::string_view> aliases(WorkingSpace space) {
-  static constexpr std::array<std::string_view, 3> rec709{"lin_rec709", "lin_rec709_scene",
-                                                          "lin_srgb"};
-  static constexpr std::array<std::string_view, 3> acescg{"acescg", "lin_ap1", "lin_ap1_scene"};
-  static constexpr std::array<std::string_view, 2> xyz{"lin_ciexyzd65_scene", "ciexyzd65"};
-  switch (space) {
-    case WorkingSpace::linear_rec709:
-      return rec709;
-    case WorkingSpace::acescg:
-      return acescg;
-    case WorkingSpace::ciexyz_d65:
-      break;
-  }
-  return xyz;
+  const std::span names(about(space).names);
+  return names.first(names.back().empty() ? 2 : 3);
 }
 
 std::string_view name(WorkingSpace space) { return aliases(space).front(); }
@@ -125,8 +118,7 @@ WorkingSpace working_space(std::string_view name_or_alias) {
 }
 
 std::optional<WorkingSpace> space_in_name(std::string_view file_name) {
-  using enum WorkingSpace;
-  for (const auto space : {linear_rec709, acescg, ciexyz_d65})
+  for (const auto space : all_spaces)
     for (const auto alias : aliases(space))
       if (::strcasestr(std::string(file_name).c_str(), alias.data())) return space;
   return std::nullopt;
@@ -157,7 +149,7 @@ algebra::Grid<double> channel_weights(WorkingSpace space, std::span<const double
 }
 
 std::array<float, 8> chromaticities(WorkingSpace space) {
-  const auto p = primaries_of(space);
+  const auto p = about(space).primaries;
   std::array<float, 8> xy{};
   std::size_t i = 0;
   for (const auto& point : {p.red, p.green, p.blue, p.white})

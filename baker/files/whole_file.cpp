@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
+#include <limits>
 #include <string>
 #include <system_error>
 
@@ -72,29 +73,22 @@ void require_regular_file(const fs::path& path) {
 }
 
 std::string bytes_of(const fs::path& path) {
-  const auto cannot_read = [&](std::string_view why) {
-    return algebra::Error(fmt::format("{}: cannot be read: {}", path.string(), why));
-  };
-  if (!fs::exists(path)) throw cannot_read("no such file");
-  require_regular_file(path);
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw cannot_read(std::generic_category().message(errno));
-  std::string bytes(fs::file_size(path), ' ');
-  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(file.gcount()));
-  return bytes;
+  return beginning_of(path, std::numeric_limits<std::size_t>::max());
 }
 
 std::string beginning_of(const fs::path& path, std::size_t most_bytes) {
+  const auto cannot_read = [&](std::string_view why) {
+    return algebra::Error(fmt::format("{}: cannot be read: {}", path.string(), why));
+  };
+  std::error_code failed;
+  if (!fs::exists(path, failed)) throw cannot_read(failed ? failed.message() : "no such file");
   require_regular_file(path);
   std::ifstream file(path, std::ios::binary);
-  std::error_code failed;
-  if (!file) throw algebra::Error(fmt::format("{}: cannot be read", path.string()));
-  const auto size = fs::file_size(path, failed);
-  std::string text(failed ? most_bytes : std::min<std::size_t>(size, most_bytes), ' ');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  return text;
+  if (!file) throw cannot_read(std::generic_category().message(errno));
+  std::string bytes(std::min<std::uintmax_t>(fs::file_size(path), most_bytes), ' ');
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  return bytes;
 }
 
 void require_place_for(const std::filesystem::path& file) {

@@ -388,11 +388,6 @@ class LookUpTable : public testing::Test {
   std::filesystem::path config() const { return folder_ / "config.ocio"; }
   std::filesystem::path table() const { return folder_ / "a.cube"; }
 
-  std::string refusal(const std::string& entry) const {
-    std::ofstream(table()) << "# nan is no number\nTITLE inf\nLUT_1D_SIZE 2\n0 0 0\n"
-                           << entry << "\n";
-    return refusal();
-  }
   std::string refusal() const {
     return refusal_of([&] { grey_shown(0.5F, {.config = config()}); });
   }
@@ -401,37 +396,20 @@ class LookUpTable : public testing::Test {
   std::filesystem::path folder_;
 };
 
-TEST_F(LookUpTable, WithAnEntryThatIsNotFiniteIsRefused) {
-  EXPECT_EQ(refusal("1 1 1"), "");
-  for (const std::string entry : {"nan", "inf", "-inf", "NaN"})
-    EXPECT_EQ(refusal("1 " + entry + " 1"),
-              table().string() + ":5: " + entry + " in a look-up table, allowed finite numbers");
-}
-
 TEST_F(LookUpTable, ThatIsAPipeIsRefused) {
   ASSERT_EQ(::mkfifo(table().c_str(), 0666), 0);
-  EXPECT_EQ(refusal(), table().string() + ": cannot be read: it is no regular file");
+  EXPECT_EQ(refusal(), config().string() + ": " + table().string() +
+                           ": cannot be read: it is no regular file");
 }
 
-TEST_F(LookUpTable, ThatNamesAPipeIsRefused) {
-  const auto pipe = table().parent_path() / "pipe";
-  ASSERT_EQ(::mkfifo(pipe.c_str(), 0666), 0);
-  for (const std::string attributes :
-       {"path=\"pipe\"", "inBitDepth='32f>' PATH = 'pipe'", "alias=\"a\"\n\tpath\n=\"pipe\""}) {
+/// OpenColorIO would read a pipe or a device that it names for ever.
+TEST_F(LookUpTable, ThatNamesAnotherFileIsRefused) {
+  for (const char* element : {"<Reference path=\"a.cube\"", "<reference\n alias=\"a\""}) {
     std::ofstream(table()) << "<?xml version=\"1.0\"?>\n<ProcessList id=\"a\" version=\"1.5\">\n"
-                              "<Reference " +
-                                  attributes + " />\n</ProcessList>\n";
-    EXPECT_EQ(refusal(), pipe.string() + ": cannot be read: it is no regular file");
+                           << element << " /></ProcessList>\n";
+    EXPECT_EQ(refusal(), config().string() + ": " + table().string() +
+                             ": a look-up table that names another file, allowed one without");
   }
-  std::ofstream(table()) << "<ProcessList id=\"a\" version=\"1.5\"><Reference path=\"&#112;ipe\"/>";
-  EXPECT_EQ(refusal(), table().string() + ": a file's name with & in it, allowed without");
-  std::ofstream(table()) << "<ProcessList><Reference basePath=\".\" path=\"pipe\"/>";
-  EXPECT_EQ(refusal(), table().string() + ": a file named by a basePath, allowed a path");
-}
-
-TEST_F(LookUpTable, ThatNamesItselfIsRefused) {
-  std::ofstream(table()) << "<ProcessList id=\"a\" version=\"1.5\"><Reference path=\"a.cube\"/>";
-  EXPECT_EQ(refusal(), table().string() + ": 17 files that name one another, allowed to 16");
 }
 
 /// A configuration of roles and colour spaces whose one view shows the space `shown` as it is.

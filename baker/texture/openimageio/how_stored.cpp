@@ -9,7 +9,6 @@
 #include <cstdarg>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <initializer_list>
 #include <memory>
 #include <string>
@@ -17,6 +16,7 @@
 
 #include "algebra/error.h"
 #include "algebra/number.h"
+#include "files/whole_file.h"
 #include "texture/openimageio/image_input.h"
 
 namespace coppermoon::texture {
@@ -31,13 +31,7 @@ std::uint32_t big_endian(std::string_view bytes) {
 }
 
 /// The beginning of a file, where its header stands.
-std::string beginning_of(const fs::path& path) {
-  std::string bytes(1 << 20, '\0');
-  std::ifstream file(path, std::ios::binary);
-  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(file.gcount()));
-  return bytes;
-}
+std::string beginning_of(const fs::path& path) { return files::beginning_of(path, 1 << 20); }
 
 int say_nothing(TIFF*, void*, const char*, const char*, std::va_list) { return 1; }
 
@@ -217,9 +211,7 @@ std::optional<std::string_view> chunk_of_webp(std::string_view all, std::string_
 
 /// Heeds a WebP's header, which OpenImageIO passes over.
 void heed_webp(const fs::path& path, Storage& storage) {
-  std::string bytes(fs::file_size(path), '\0');
-  std::ifstream(path, std::ios::binary)
-      .read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  const auto bytes = files::bytes_of(path);
   if (auto exif = chunk_of_webp(bytes, "EXIF")) {
     if (exif->starts_with("Exif")) exif->remove_prefix(6);
     OIIO::ImageSpec said;

@@ -2,10 +2,7 @@
 #include "texture/openimageio/image_input.h"
 
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -33,18 +30,6 @@ std::string reason_of(OIIO::ImageInput* input) {
 }
 
 namespace {
-
-void require_readable_file(const fs::path& path) {
-  std::error_code failed;
-  const auto status = fs::status(path, failed);
-  if (status.type() == fs::file_type::not_found) throw cannot_read(path, "no such file");
-  if (failed) throw cannot_read(path, failed.message());
-  files::require_regular_file(path);
-  if (fs::file_size(path, failed) == 0 && !failed) throw cannot_read(path, "it is empty");
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             &std::fclose);
-  if (!file) throw cannot_read(path, std::generic_category().message(errno));
-}
 
 /// A header may claim any size: the file must be able to hold it before any memory is asked for.
 void require_size(const fs::path& path, const OIIO::ImageInput& input) {
@@ -93,9 +78,11 @@ std::string format_of(const fs::path& path) {
                                         {4, "ftypmif1"sv, "heif"},
                                         {4, "ftypavif"sv, "heif"},
                                         {8, "WEBPVP8"sv, "webp"}}};
-  std::array<char, 16> bytes{};
-  std::ifstream(path, std::ios::binary).read(bytes.data(), bytes.size());
-  const std::string_view beginning(bytes.data(), bytes.size());
+  constexpr std::size_t longest = 16;
+  auto bytes = files::beginning_of(path, longest);
+  if (bytes.empty()) throw cannot_read(path, "it is empty");
+  bytes.resize(longest);
+  const std::string_view beginning(bytes);
   for (const auto& [at, sign, format] : known)
     if (beginning.substr(at).starts_with(sign))
       return std::string_view(format) == "tiff" && has_raw_ending(path) ? "raw" : format;
@@ -113,7 +100,6 @@ bool has_openexr(const fs::path& path) {
 }
 
 std::unique_ptr<OIIO::ImageInput> opened(const fs::path& path) {
-  require_readable_file(path);
   const auto format = format_of(path);
   require_honest_claims(path, format);
   auto input = format.empty()     ? nullptr

@@ -138,7 +138,7 @@ TEST_F(ReadImage, TakesNoCodesForLight) {
 
 TEST_F(ReadImage, ClaimsOfADisplayWindowAreNotBelieved) {
   EXPECT_ERROR(read_image(row_from(in_folder("a.exr"), 0, 2, 1 << 21)),
-               "a.exr: cannot be read: attribute \"displayWindow\"");
+               "a.exr: cannot be read: width [texels] = 2.09715e+06, allowed up to ");
 }
 
 /// OpenEXR looks at no pixel type of a part whose own type it does not know; OpenImageIO 2.4.7 then ends
