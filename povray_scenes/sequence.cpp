@@ -116,14 +116,12 @@ struct Delivery {
   const Draft& draft;
   const FrameDone& frame_done;
   const RenderSettings& settings;
-  const algebra::Progress& progress;
   std::size_t next, of;
 
   void hand_over_before(std::size_t end) {
     for (; next < end; ++next) {
       const auto file = draft.finish(numbered_file({}, next, of),
                                      numbered_file(frame_stem, next, of), settings.povray);
-      if (progress) progress(1);
       frame_done(next, file);
     }
   }
@@ -165,8 +163,7 @@ void write_sequence(const std::filesystem::path& folder, const Sequence& sequenc
 }
 
 void render_sequence(const std::filesystem::path& folder, std::size_t first, std::size_t last,
-                     const FrameDone& frame_done, const RenderSettings& settings,
-                     const algebra::Progress& progress) {
+                     const FrameDone& frame_done, const RenderSettings& settings) {
   const Draft draft(folder);
   const std::size_t from = frame_in_settings(folder, first_frame_key),
                     of = frame_in_settings(folder, last_frame_key);
@@ -174,11 +171,10 @@ void render_sequence(const std::filesystem::path& folder, std::size_t first, std
                           static_cast<double>(of));
   algebra::require_within("first frame", static_cast<double>(first), static_cast<double>(from),
                           static_cast<double>(last));
-  Delivery delivery{draft, frame_done, settings, progress, first, of};
+  Delivery delivery{draft, frame_done, settings, first, of};
   run_povray(settings, draft,
              {.output = draft.stem + "..exr",
               .subset = {fmt::format("+SF{}", first), fmt::format("+EF{}", last)},
-              .progress = progress,
               .begun = [&](std::size_t begun) {
                 delivery.hand_over_before(std::min(first + begun - 1, last + 1));
               }});

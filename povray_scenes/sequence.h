@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "algebra/progress.h"
 #include "povray_scenes/camera.h"
 #include "povray_scenes/render.h"
 
@@ -63,12 +62,10 @@ using FrameDone = std::function<void(std::size_t frame, const std::filesystem::p
 ///                        next; the file, frame.0001.exr in the folder, is the callee's to remove.
 ///                        What it throws ends POV-Ray and goes on from here
 ///           settings     the timeout is for the whole run, frame_done's own time included
-///           progress     told the fraction of the pixels of the frame under way; 1 before each frame_done
 /// Accuracy  the same bits as a run of its own for each frame, on any number of threads
 /// Throws    Error  when the frames are out of range, there is no sequence, no POV-Ray, or it fails (with its own last
 ///                  words) or takes longer than allowed; the frames before have then been handed over
 void render_sequence(const std::filesystem::path& folder, std::size_t first, std::size_t last,
-                     const FrameDone& frame_done, const RenderSettings& settings = {},
-                     const algebra::Progress& progress = {});
+                     const FrameDone& frame_done, const RenderSettings& settings = {});
 
 }  // namespace coppermoon::povray_scenes

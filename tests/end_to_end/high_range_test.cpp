@@ -9,7 +9,7 @@
 #include "support/program.h"
 #include "support/within.h"
 #include "texture/read_image.h"
-#include "uses/picture/avif_file.h"
+#include "uses/picture/picture_files.h"
 #include "uses/picture/disc_outline.h"
 
 namespace coppermoon::end_to_end {

@@ -386,17 +386,6 @@ TEST(RenderSequence, StopsPovRayWhenTheTimeIsUp) {
   EXPECT_EQ(done, (Frames{1}));
 }
 
-TEST(RenderSequence, TellsItsProgressWithinEachFrame) {
-  const StandIn stand_in;
-  std::vector<double> told;
-  render_sequence(
-      stand_in.folder, 1, 2, [&](std::size_t, const auto&) { told.push_back(-1); },
-      stand_in.settings("begin 1; printf 'Rendered 1 of 4 pixels (25%%)\\r' >&2; frame 1\n"
-                        "begin 2; printf 'Rendered 2 of 4 pixels (50%%)\\r' >&2; frame 2"),
-      [&](double fraction) { told.push_back(fraction); });
-  EXPECT_EQ(told, (std::vector<double>{0.25, 1, -1, 0.5, 1, -1}));
-}
-
 TEST(RenderSequence, RefusesFramesThatTheSequenceHasNot) {
   const StandIn stand_in;
   const auto refuse = [&](std::size_t first, std::size_t last) {

@@ -73,7 +73,7 @@ struct Dome {
 /// The ground is diffuse and lit by sky, stars and Moon.
 ///
 /// Colours: moonlight as air scatters it (ScatteredColour), of a Moon with the B − V and V − R of the eclipse; twilight as
-/// TwilightColour; airglow with B − V = 1.03 and V − R = 0.74 (Patat 2003); stars as StarLights.
+/// atmosphere::TwilightSky; airglow with B − V = 1.03 and V − R = 0.74 (Patat 2003); stars as StarLights.
 ///
 /// Given     moon      of any moment; below the horizon it lights nothing
 ///           view      its observer, air and stars (to V = 6.5 unless it says how faint)

@@ -82,13 +82,22 @@ double keyed_time_s(const Film& film, const almanac::Instant& when) {
   return before * std::pow(above->second / before, share);
 }
 
-/// Header of a frame, and sight of its camera.
+/// Scene of a frame, and facts of it; of a scene of the user's own none, since the disc may be anywhere in it.
 struct Rendered {
   std::size_t frame;
-  texture::Attributes attributes;
+  LitScene scene;
   SeenFrame seen;
-  povray_scenes::SceneCamera camera;
 };
+
+Rendered rendered_of(const Film& film, std::size_t frame) {
+  const auto sky = film.sky(frame);
+  const auto view = view_of(film, sky);
+  const auto lit = moon_of(film, sky, view);
+  const FrameSky air(view, lit);
+  return {frame,
+          {lit, view, texture_of(film, lit, frame), air},
+          film.scene.empty() ? seen_by(view, air) : SeenFrame{}};
+}
 
 Exposures exposures_of(const Film& film, const Rendered& rendered, const texture::Image& image) {
   auto development = film.development;
@@ -102,7 +111,8 @@ void write_pictures(const Film& film, const Rendered& rendered, const texture::I
                     const Exposures& exposures) {
   const auto frame = rendered.frame;
   const auto attributes = header_of(film, frame);
-  const Frame whole{image, space_of(film.content), rendered.seen, frame, rendered.attributes};
+  const Frame whole{image, space_of(film.content), rendered.seen, frame,
+                    rendered.scene.texture.attributes};
   const auto write = [&](const std::filesystem::path& path, double stops) {
     auto exposed = exposures;
     exposed.shorter.time_s *= std::exp2(stops);
@@ -124,34 +134,25 @@ void write_pictures(const Film& film, const Rendered& rendered, const texture::I
 MadeFrame finished(const Film& film, const Rendered& rendered, const LinearFrame& frame) {
   const auto whole = frame.whole();
   const auto exposures = exposures_of(film, rendered, whole);
-  auto attributes = rendered.attributes;
+  auto attributes = rendered.scene.texture.attributes;
   add_exposure(attributes, exposures);
   add_seen(attributes, rendered.seen);
   if (const auto space = space_of(film.content); space != picture_space)
     say_space(attributes, space);
   if (film.products.frames)
-    write_frame(film.linear_frame(rendered.frame), frame, rendered.camera, attributes);
+    write_frame(film.linear_frame(rendered.frame), frame, rendered.scene.view.camera, attributes);
   if (film.products.pictures) write_pictures(film, rendered, whole, exposures);
   return {rendered.frame, exposures};
 }
 
 using WhenMade = std::function<void(const MadeFrame&)>;
 
-/// Facts of a frame; of a scene's none, since the disc may be anywhere in it.
-SeenFrame seen_of(const Film& film, const FrameSky& sky, const View& view) {
-  return film.scene.empty() ? seen_by(view, sky) : SeenFrame{};
-}
-
 /// Has the user's scene rendered for each frame, and develops it.
 void render_scene(const Film& film, Frames frames, int threads, const WhenMade& when_made) {
   for (const std::size_t frame : frames) {
-    const auto sky = film.sky(frame);
-    const auto view = view_of(film, sky);
-    const auto lit = moon_of(film, sky, view);
-    const LitScene scene{lit, view, texture_of(film, lit, frame), {view, lit}};
-    const LinearFrame light{rendered_scene(film, frame, scene, threads)};
-    when_made(finished(film, {frame, scene.texture.attributes, {}, view.camera},
-                       in_space(light, picture_space, space_of(film.content))));
+    const auto rendered = rendered_of(film, frame);
+    const LinearFrame light{rendered_scene(film, frame, rendered.scene, threads)};
+    when_made(finished(film, rendered, in_space(light, picture_space, space_of(film.content))));
   }
 }
 
@@ -165,31 +166,25 @@ void render(const Film& film, Frames frames, int threads, const WhenMade& when_m
       .cameras = {}, .textures = texture_stem, .alpha = film.content.passes};
   std::vector<Rendered> batch;
   std::vector<std::vector<SkyLight>> lights;
-  std::vector<View> views;
-  std::vector<FrameSky> skies;
   for (const std::size_t frame : frames) {
-    const auto sky = film.sky(frame);
-    const auto view = view_of(film, sky);
-    const auto lit = moon_of(film, sky, view);
-    const auto moon = texture_of(film, lit, frame);
-    const auto path = texture_file(batch.size() + 1);
+    auto& scene = batch.emplace_back(rendered_of(film, frame)).scene;
+    auto& moon = scene.texture;
+    const auto path = texture_file(batch.size());
     if (film.products.textures) {
       write_texture(film, frame, moon);
       std::filesystem::create_symlink(std::filesystem::absolute(film.texture(frame)), path);
     } else {
       texture::write_exr(path, moon.parts, moon.attributes, {.packed = false});
     }
-    sequence.cameras.push_back(view.camera);
-    skies.emplace_back(view, lit);
-    batch.push_back({frame, moon.attributes, seen_by(view, skies.back()), view.camera});
-    lights.push_back(sky_lights(view, sky));
-    views.push_back(view);
+    moon.parts.clear();  // written; they hold the light
+    sequence.cameras.push_back(scene.view.camera);
+    lights.push_back(sky_lights(scene.view, scene.moon.sky));
   }
   write_sequence(folder.path(), sequence);
   const auto in_film_space = [&](std::size_t number, const std::filesystem::path& rendered) {
+    const auto& [moon, view, baked, air] = batch[number - 1].scene;
     const auto frame =
-        completed(texture::read_image(rendered), views[number - 1],
-                  film.sky(batch[number - 1].frame), lights[number - 1], skies[number - 1]);
+        completed(texture::read_image(rendered), view, moon.sky, lights[number - 1], air);
     return in_space(frame, picture_space, space_of(film.content));
   };
   povray_scenes::render_sequence(
@@ -204,15 +199,10 @@ void render(const Film& film, Frames frames, int threads, const WhenMade& when_m
 
 /// Writes a linear frame's header and pictures anew under another exposure; its pixels stay.
 void expose(const Film& film, std::size_t frame, const WhenMade& when_made) {
-  const auto sky = film.sky(frame);
-  const auto view = view_of(film, sky);
-  const auto lit = moon_of(film, sky, view);
-  const auto moon = texture_of(film, lit, frame);
+  const auto rendered = rendered_of(film, frame);
   if (film.products.textures && !is_own(film, film.texture(frame), frame))
-    write_texture(film, frame, moon);
-  auto made =
-      finished(film, {frame, moon.attributes, seen_of(film, {view, lit}, view), view.camera},
-               {texture::read_image(film.linear_frame(frame))});
+    write_texture(film, frame, rendered.scene.texture);
+  auto made = finished(film, rendered, {texture::read_image(film.linear_frame(frame))});
   made.developed_again = true;
   when_made(made);
 }
@@ -229,17 +219,15 @@ double texels_of(const Film& film) {
   return width * width / 2;
 }
 
-/// Memory for a frame's glow [bytes]: a convolution of two grids of complex numbers, on four times its pixels.
-double camera_memory(const Film& film) {
-  if (film.development.camera.model.empty()) return 0;
-  return 4. * 2 * 16 * static_cast<double>(film.view.width) * static_cast<double>(film.view.height);
-}
-
 /// Number of batches at a time: one more than processors, since POV-Ray sleeps at its start, within half of the
 /// memory. POV-Ray takes 28 bytes a texel.
 std::size_t lanes_of(const Film& film, std::size_t processors) {
   if (processors == 1) return 1;
-  const double a_lane = 28 * texels_of(film) + camera_memory(film) + 64e6;
+  const auto [width, height] = std::pair(film.view.width, film.view.height);
+  const double of_glow = film.development.camera.model.empty()
+                             ? 0
+                             : frame_memory(width, height, true) - frame_memory(width, height),
+               a_lane = 28 * texels_of(film) + of_glow + 64e6;
   const double most = std::max(1., files::available_memory() / 2 / a_lane);
   return static_cast<std::size_t>(std::min(most, static_cast<double>(processors + 1)));
 }

@@ -15,7 +15,7 @@
 #include "files/temporary_folder.h"
 #include "files/whole_file.h"
 #include "texture/read_image.h"
-#include "uses/picture/avif_file.h"
+#include "uses/picture/picture_files.h"
 #include "uses/picture/pixels.h"
 
 namespace coppermoon::uses {

@@ -15,6 +15,7 @@
 #include "files/whole_file.h"
 #include "uses/film/film_scene.h"
 #include "uses/light/spectral_bands.h"
+#include "uses/picture/clear_sky.h"
 #include "uses/picture/lit_scene.h"
 
 namespace coppermoon::uses {
@@ -111,17 +112,11 @@ std::size_t widest_texture(const Film& film) {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// Direction in axes of the horizon: north, east, zenith.
-glm::dvec3 direction_of(const povray_scenes::HorizonPlace& place) {
-  const double h = algebra::in_radians(place.altitude), a = algebra::in_radians(place.azimuth);
-  return {std::cos(h) * std::cos(a), std::cos(h) * std::sin(a), std::sin(h)};
-}
-
 povray_scenes::HorizonPlace place_of(double altitude, double azimuth) {
   return {algebra::radians(altitude), algebra::radians(azimuth)};
 }
 
-/// Apparent Moons, and the picture's shape.
+/// Apparent Moons (in_sky), and the picture's shape.
 struct Moons {
   std::vector<glm::dvec3> directions;
   double sine_of_radius;  ///< of the largest disc
@@ -133,7 +128,7 @@ struct Moons {
 ///     angle to the plane of a side, through the camera: at least the Moon's radius
 double half_field_for(const Moons& moons, const glm::dvec3& moon,
                       const povray_scenes::HorizonPlace& aim) {
-  const auto ahead = direction_of(aim);
+  const auto ahead = in_sky(aim.altitude, aim.azimuth);
   const auto across = glm::normalize(glm::cross(glm::dvec3(0, 0, 1), ahead));
   const auto half = [&](const glm::dvec3& side) {
     const double a = glm::dot(moon, ahead), b = std::abs(glm::dot(moon, side));
@@ -161,7 +156,7 @@ povray_scenes::HorizonPlace best_aim(const Moons& moons) {
   for (const auto& moon : moons.directions) sum += moon;
   const auto stepped = [](double angle) { return std::round(angle / tenth) * tenth; };
   double altitude = stepped(std::atan2(sum.z, std::hypot(sum.x, sum.y))),
-         azimuth = stepped(std::atan2(sum.y, sum.x));
+         azimuth = stepped(std::atan2(sum.x, sum.y));
   altitude = std::min(altitude, highest);
   double narrowest = half_field_for(moons, place_of(altitude, azimuth));
   for (double step = 12.8 * degree; step > tenth / 2;) {
@@ -204,7 +199,8 @@ FixedView fixed_view(const Film& film) {
     if (!moon_is_up(film.view, sky)) continue;
     if (half_field == 0)
       half_field = algebra::in_radians(view_of(film, sky).camera.horizontal_field) / 2;
-    moons.directions.push_back(direction_of(apparent_place(observer, sky)));
+    const auto place = apparent_place(observer, sky);
+    moons.directions.push_back(in_sky(place.altitude, place.azimuth));
     const auto seen = almanac::view_from(observer, sky);
     moons.sine_of_radius =
         std::max(moons.sine_of_radius, almanac::lunar_radius / seen.moon_distance);

@@ -211,66 +211,45 @@ AirMoment moment_of(const almanac::SkyState& sky) {
   return {eclipse::shadow_axis(sky).sun_declination, almanac::year_of(sky.when)};
 }
 
-/// Step of Danjon's scale that a request asks for, or one of its regions.
-struct Danjon {
-  Air asked;
-  const AirRegion* region;
-  int step;
+/// Scale of the eclipse of a night, in all air or in that of one region.
+DanjonScale scale_of(const Air& asked, const std::optional<AirRegion>& region,
+                     const almanac::SkyState& night) {
+  const auto greatest =
+      eclipse::nearest_eclipse(night.when, eclipse::ShadowConvention::danjon).greatest;
+  const auto sky = almanac::sky_at(greatest);
+  const auto moment = moment_of(sky);
+  auto air = atmosphere_of(asked, moment.sun_declination, moment.year);
+  air.regions.clear();
+  if (region) air.belts = belts_in(*region, air.belts, moment);
+  return {air, sky};
+}
 
-  DanjonScale scale(const almanac::SkyState& night) const {
-    const auto greatest =
-        eclipse::nearest_eclipse(night.when, eclipse::ShadowConvention::danjon).greatest;
-    const auto sky = almanac::sky_at(greatest);
-    const auto moment = moment_of(sky);
-    auto air = atmosphere_of(asked, moment.sun_declination, moment.year);
-    air.regions.clear();
-    if (region) {
-      auto alone = *region;
-      alone.column.danjon.reset();
-      air.belts = belts_in(alone, air.belts, moment);
-    }
-    return {air, sky};
-  }
-};
-
-/// Cache of scales: all frames of a film ask for the same.
-class Found {
- public:
-  double clearness(const Danjon& danjon, const almanac::SkyState& sky) {
-    const std::lock_guard guard(lock_);
-    constexpr double a_night_s = 86400;
-    const auto asked = without_danjon(danjon.asked);
-    auto region = danjon.region ? std::optional(*danjon.region) : std::nullopt;
-    if (region) region->column.danjon.reset();
-    for (auto& one : all_)
-      if (one.region == region && one.asked == asked &&
-          std::abs(almanac::seconds_between(one.when, sky.when)) < a_night_s)
-        return one.scale.clearness(danjon.step);
-    constexpr std::size_t most = 64;
-    if (all_.size() == most) all_.erase(all_.begin());
-    all_.push_back({asked, region, sky.when, danjon.scale(sky)});
-    return all_.back().scale.clearness(danjon.step);
-  }
-
- private:
-  struct One {
+/// Clearness for a step of Danjon's scale, in all air or in that of one region. Scales are kept: all frames of a film ask
+/// for the same.
+double clearness_found(const Air& asked, std::optional<AirRegion> region, int step,
+                       const almanac::SkyState& sky) {
+  struct Found {
     Air asked;
     std::optional<AirRegion> region;
     almanac::Instant when;
     DanjonScale scale;
   };
-  std::mutex lock_;
-  std::vector<One> all_;
-};
-
-double clearness_found(const Danjon& danjon, const almanac::SkyState& sky) {
-  static Found found;
-  return found.clearness(danjon, sky);
-}
-
-atmosphere::Belts cleared_belts(const Danjon& danjon, const almanac::SkyState& sky,
-                                const atmosphere::Belts& belts) {
-  return cleared({.belts = belts}, clearness_found(danjon, sky)).belts;
+  static std::mutex lock;
+  static std::vector<Found> all;
+  constexpr double a_night_s = 86400;
+  constexpr std::size_t most = 64;
+  const auto any_step = without_danjon(asked);
+  if (region) region->column.danjon.reset();
+  const std::lock_guard guard(lock);
+  auto found = std::ranges::find_if(all, [&](const Found& one) {
+    return one.region == region && one.asked == any_step &&
+           std::abs(almanac::seconds_between(one.when, sky.when)) < a_night_s;
+  });
+  if (found == all.end()) {
+    if (all.size() == most) all.erase(all.begin());
+    found = all.insert(all.end(), {any_step, region, sky.when, scale_of(asked, region, sky)});
+  }
+  return found->scale.clearness(step);
 }
 
 }  // namespace
@@ -279,7 +258,7 @@ bool reaches_danjon(const Air& asked, const almanac::SkyState& sky) {
   if (!asked.column.danjon) return true;
   const auto moment = moment_of(sky);
   if (atmosphere_of(asked, moment.sun_declination, moment.year).belts.empty()) return true;
-  const double clearness = clearness_found({asked, nullptr, *asked.column.danjon}, sky);
+  const double clearness = clearness_found(asked, {}, *asked.column.danjon, sky);
   return clearness > darkest_clearness + clearness_error &&
          clearness < brightest_clearness - clearness_error / 2;
 }
@@ -292,11 +271,14 @@ atmosphere::Atmosphere atmosphere_of(const Air& asked, const almanac::SkyState& 
   for (const auto& region : asked.regions) {
     const auto step = region.column.danjon ? region.column.danjon : asked.column.danjon;
     if (!region_on_limb(region, air, moment)) continue;
-    if (step) next->belts = cleared_belts({asked, &region, *step}, sky, next->belts);
+    if (step)
+      next->belts =
+          cleared({.belts = next->belts}, clearness_found(asked, region, *step, sky)).belts;
     ++next;
   }
   if (asked.column.danjon)
-    air.belts = cleared_belts({asked, nullptr, *asked.column.danjon}, sky, air.belts);
+    air.belts =
+        cleared({.belts = air.belts}, clearness_found(asked, {}, *asked.column.danjon, sky)).belts;
   return air;
 }
 

@@ -66,7 +66,7 @@ shadow::ChannelWeights luminance_weights();
 /// Scattered light in a check of the error.
 struct ScatteredInCheck {
   std::optional<shadow::RefractedLight>
-      computed{};       ///< what the light has (shadow::twilight_about): taken as true
+      computed{};       ///< twilight already in the light (shadow::twilight_about); not checked
   bool counts = false;  ///< where none was computed, it is part of the error
 };
 

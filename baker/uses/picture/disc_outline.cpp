@@ -13,7 +13,7 @@
 #include "algebra/number.h"
 #include "colour/srgb.h"
 #include "povray_scenes/camera.h"
-#include "uses/picture/avif_file.h"
+#include "uses/picture/picture_files.h"
 
 namespace coppermoon::uses {
 namespace {

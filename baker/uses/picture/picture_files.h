@@ -5,6 +5,7 @@
 #include <span>
 
 #include "files/endings.h"
+#include "texture/image.h"
 #include "texture/write_image.h"
 
 namespace coppermoon::uses {
@@ -25,5 +26,19 @@ struct PictureFile : files::Ending {
 
 /// All of them.
 std::span<const PictureFile> picture_files();
+
+/// Writes a picture of high dynamic range, .avif: 12 bits, Rec.2020 primaries, PQ (SMPTE ST 2084), as
+/// ITU-T H.273 numbers them 9/16/9. Whole or not at all.
+///
+/// Given     picture     channels R, G, B, coded so, 0 to 1
+/// Accuracy  the encoder's: light within 2 % in 95 of 100 pixels
+/// Throws    Error       when avifenc is not there or fails, or the file cannot be written
+void write_avif(const std::filesystem::path& file, const texture::Image& picture);
+
+/// PQ decoding and coding: codes 0 to 1, light over 10 000 cd/m².
+///
+/// Source  SMPTE ST 2084:2014
+double light_of_pq(double code);
+double pq_of_light(double light);
 
 }  // namespace coppermoon::uses

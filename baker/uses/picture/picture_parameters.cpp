@@ -65,7 +65,7 @@ std::string sky_text(const std::optional<double>& luminance_cd_m2) {
       "{}", -2.5 * std::log10(*luminance_cd_m2 / atmosphere::luminance_of_magnitude_cd_m2(0)));
 }
 
-/// Luminance of the sky that a text names; nothing for "auto".
+/// Share of the light that glows about bright ground; nothing for "auto".
 std::optional<double> glow_from(const std::string& text) {
   if (text == "auto") return std::nullopt;
   const auto share = algebra::number_in(text);

@@ -118,8 +118,7 @@ void require_plot_ending(const std::filesystem::path& file, std::string_view wha
   files::format_of(file, allowed, what);
 }
 
-/// Nobody's own settings count (-d), and no file's name comes into the script, where a line of it could
-/// be taken for an order.
+/// -d: ~/.gnuplot is ignored. File names never enter the script, where a line of one could be taken for an order.
 void write_plot(const std::filesystem::path& file, const Plot& plot) {
   const auto& format = files::format_of(file, formats_of_plots, "a plot");
   const files::TemporaryFolder folder;

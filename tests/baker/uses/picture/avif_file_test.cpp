@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "uses/picture/avif_file.h"
+#include "uses/picture/picture_files.h"
 
 #include "support/helper_folder.h"
 #include "support/refusals.h"
