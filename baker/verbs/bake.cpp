@@ -298,10 +298,10 @@ Report make(const Verb& verb, const Options& options, const std::vector<Output>&
     made.files.push_back(output.path.string());
     ProgressBar bar("bake");
     made.recipe = text_of(recipe_for(output.content, recipe));
-    const auto baked =
-        uses::baked(moon, output.content,
-                    {.progress = bar.progress(),
-                     .recipe = [&](const auto&, const auto&) { return made.recipe; }});
+    const auto baked = uses::baked(
+        moon, output.content, {.progress = bar.progress(), .recipe = [&](const auto&, const auto&) {
+                                 return made.recipe;
+                               }});
     output.format.write({options, outputs, output, moon, baked});
   }
   made.seconds = seconds_since(start);
@@ -394,8 +394,7 @@ void add_bake(Program& program) {
     if (parameter.affects == request::Affects::picture)
       parameter.only_with({{"output", {".png", ".glb", ".usdz", ".stellarium"}}});
   verb.parameters.find("type")->only_with({{"output", {".exr", ".tx", ".usda"}}, {"cache"}});
-  add_run_switch(verb, "--json", options->json, "prints one JSON document")
-      .not_beside({{"cache"}});
+  add_run_switch(verb, "--json", options->json, "prints one JSON document").not_beside({{"cache"}});
   on_run(verb, [&verb, options] { run(verb, *options); });
 }
 

@@ -86,8 +86,7 @@ Json as_json(const Parameter& parameter) {
 Json as_json(const Verb& verb) {
   auto parameters = Json::array();
   for (const auto& parameter : verb.parameters) parameters.push_back(as_json(parameter));
-  return {
-      {"name", verb.name}, {"meaning", verb.help}, {"parameters", parameters}};
+  return {{"name", verb.name}, {"meaning", verb.help}, {"parameters", parameters}};
 }
 
 /// "0 to 1000 DU", "on, off"; where neither is known, the kind.

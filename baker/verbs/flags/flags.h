@@ -25,9 +25,9 @@ struct Program;
 struct Verb {
   std::string name{}, help{};
   request::Parameters parameters{};
-  std::function<void()> run{};        ///< what it does once its parameters have their values
-  Program* program = nullptr;         ///< whose command it is; null: none's, to read the recipe of a file
-  std::vector<std::string> typed{};   ///< names of parameters that the command line itself gives
+  std::function<void()> run{};  ///< what it does once its parameters have their values
+  Program* program = nullptr;   ///< whose command it is; null: none's, to read the recipe of a file
+  std::vector<std::string> typed{};  ///< names of parameters that the command line itself gives
 };
 
 /// The program: its commands, and the parameters of all of them. Parameters keep its address.
