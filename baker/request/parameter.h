@@ -93,7 +93,7 @@ struct Parameter {
   bool planned = false;  ///< replaced by the plan's work in the recipe of what was made
   bool many = false;     ///< may be given again, and every value counts
   bool is_required = false;
-  Texts excluded{};  ///< names of parameters that it is refused beside
+  Texts excluded{};                     ///< names of parameters that it is refused beside
   std::shared_ptr<Parameters> parts{};  ///< of a value "name=text,name=text"; else none
   std::vector<Relation> relations{};    ///< that decide whether it has an effect
   std::optional<Texts> given{};         ///< texts that a door gave, as a recipe spells them
@@ -132,13 +132,9 @@ struct Parameter {
   Parameter& of(Affects what) { return affects = what, *this; }
   Parameter& within(double low, double high) { return range = Range{low, high}, *this; }
   Parameter& replaced_by_plan() { return planned = true, *this; }
-  Parameter& one_of(Texts allowed) {
-    return kind = Kind::word, words = std::move(allowed), *this;
-  }
+  Parameter& one_of(Texts allowed) { return kind = Kind::word, words = std::move(allowed), *this; }
   Parameter& required() { return is_required = true, *this; }
-  Parameter& excludes(std::string other) {
-    return excluded.push_back(std::move(other)), *this;
-  }
+  Parameter& excludes(std::string other) { return excluded.push_back(std::move(other)), *this; }
   Parameter& reads_file() { return as(Kind::file_read); }
   Parameter& writes_file() { return as(Kind::file_written).of(Affects::run); }
   /// Names a file that is written, in one of the formats of a table.
@@ -199,57 +195,70 @@ inline void read_text(const std::string& text, std::filesystem::path& value) { v
 /// "ozone-du", "output", "instant" of "ozone-du", "-o,--output", "instant,--instant".
 std::string name_in(std::string_view spelling);
 
+constexpr Kind kind_of(double) { return Kind::number; }
+constexpr Kind kind_of(int) { return Kind::whole; }
+constexpr Kind kind_of(std::size_t) { return Kind::natural; }
 template <class Value>
-constexpr Kind kind_of() {
-  if constexpr (std::is_same_v<Value, double>)
-    return Kind::number;
-  else if constexpr (std::is_same_v<Value, std::size_t>)
-    return Kind::natural;
-  else if constexpr (std::is_same_v<Value, int>)
-    return Kind::whole;
-  else
-    return Kind::text;
+constexpr Kind kind_of(const Value&) {
+  return Kind::text;
+}
+template <class Value>
+constexpr Kind kind_of(const std::optional<Value>&) {
+  return kind_of(Value{});
+}
+
+/// Texts of a field; none: no value. `put` reads them back.
+template <class Value>
+Texts texts_of(const Value& value) {
+  auto text = text_of(value);
+  return text.empty() ? Texts{} : Texts{std::move(text)};
+}
+template <class Value>
+Texts texts_of(const std::optional<Value>& value) {
+  return value ? Texts{text_of(*value)} : Texts{};
+}
+template <class Value>
+Texts texts_of(const std::vector<Value>& values) {
+  Texts texts;
+  for (const auto& value : values) texts.push_back(text_of(value));
+  return texts;
+}
+
+template <class Value>
+void put(const Texts& texts, Value& value) {
+  read_text(texts.back(), value);
+}
+template <class Value>
+void put(const Texts& texts, std::optional<Value>& value) {
+  value.reset();
+  if (!texts.empty()) read_text(texts.back(), value.emplace());
+}
+template <class Value>
+void put(const Texts& texts, std::vector<Value>& values) {
+  values.assign(texts.begin(), texts.end());
+}
+
+/// A parameter of a field, whose texts are read and written by functions.
+template <class Value>
+Parameter bound(const std::string& spelling, Value& value, std::string meaning,
+                std::function<Texts()> read, std::function<void(const Texts&)> write) {
+  Parameter made{.name = name_in(spelling), .spelling = spelling, .meaning = std::move(meaning)};
+  made.read = std::move(read);
+  made.write = std::move(write);
+  made.restore = [&value, first = value] { value = first; };
+  return made;
 }
 
 /// A parameter of a field: a double, int, std::size_t, std::string or path, one of these that may be without a
 /// value, or a list of texts or paths.
 template <class Value>
 Parameter parameter(const std::string& spelling, Value& value, std::string meaning) {
-  Parameter made{.name = name_in(spelling), .spelling = spelling, .meaning = std::move(meaning)};
-  made.kind = kind_of<Value>();
-  made.read = [&value] {
-    const auto text = text_of(value);
-    return text.empty() ? Texts{} : Texts{text};
-  };
-  made.write = [&value](const Texts& texts) { read_text(texts.back(), value); };
-  made.restore = [&value, first = value] { value = first; };
-  return made;
-}
-
-template <class Value>
-Parameter parameter(const std::string& spelling, std::optional<Value>& value, std::string meaning) {
-  Parameter made{.name = name_in(spelling), .spelling = spelling, .meaning = std::move(meaning)};
-  made.kind = kind_of<Value>();
-  made.read = [&value] { return value ? Texts{text_of(*value)} : Texts{}; };
-  made.write = [&value](const Texts& texts) {
-    value.reset();
-    if (!texts.empty()) read_text(texts.back(), value.emplace());
-  };
-  made.restore = [&value, first = value] { value = first; };
-  return made;
-}
-
-template <class Value>
-Parameter parameter(const std::string& spelling, std::vector<Value>& values, std::string meaning) {
-  Parameter made{.name = name_in(spelling), .spelling = spelling, .meaning = std::move(meaning)};
-  made.many = true;
-  made.read = [&values] {
-    Texts texts;
-    for (const auto& value : values) texts.push_back(text_of(value));
-    return texts;
-  };
-  made.write = [&values](const Texts& texts) { values.assign(texts.begin(), texts.end()); };
-  made.restore = [&values, first = values] { values = first; };
+  auto made = bound(
+      spelling, value, std::move(meaning), [&value] { return texts_of(value); },
+      [&value](const Texts& texts) { put(texts, value); });
+  made.kind = kind_of(value);
+  made.many =
+      std::is_same_v<Value, Texts> || std::is_same_v<Value, std::vector<std::filesystem::path>>;
   return made;
 }
 
@@ -260,14 +269,9 @@ Parameter parameter(const std::string& spelling, std::vector<Value>& values, std
 template <class Value>
 Parameter parsed(const std::string& spelling, Value& value, std::function<std::string()> read,
                  std::function<void(const std::string&)> write, std::string meaning) {
-  Parameter made{.name = name_in(spelling), .spelling = spelling, .meaning = std::move(meaning)};
-  made.read = [read = std::move(read)] {
-    const auto text = read();
-    return text.empty() ? Texts{} : Texts{text};
-  };
-  made.write = [write = std::move(write)](const Texts& texts) { write(texts.back()); };
-  made.restore = [&value, first = value] { value = first; };
-  return made;
+  return bound(
+      spelling, value, std::move(meaning), [read = std::move(read)] { return texts_of(read()); },
+      [write = std::move(write)](const Texts& texts) { write(texts.back()); });
 }
 
 /// Words of a parameter, each with its value.
@@ -279,53 +283,37 @@ using Words = std::vector<std::pair<std::string, Value>>;
 /// Throws  algebra::Error  when it is none of them: names them
 std::size_t word_in(const Texts& words, const std::string& name, const std::string& text);
 
-template <class Value>
-std::string word_for(const Words<Value>& words, const Value& value) {
-  for (const auto& [word, meaning] : words)
-    if (meaning == value) return word;
+/// Word of a value; empty: none.
+template <class Value, class Field>
+std::string word_for(const Words<Value>& words, const Field& field) {
+  for (const auto& [word, value] : words)
+    if (field == value) return word;
   return {};
 }
 
-namespace detail {
-template <class Value>
-// NOLINTNEXTLINE(performance-unnecessary-value-param): clang-tidy 14 does not see that it is moved
-Parameter one_of(const std::string& spelling, const Words<Value>& words, std::string meaning) {
-  Parameter made{.name = name_in(spelling),
-                 .spelling = spelling,
-                 .kind = std::is_same_v<Value, bool> && words.front().first == "on" ? Kind::on_off
-                                                                                    : Kind::word,
-                 .meaning = std::move(meaning)};
-  for (const auto& word : words) made.words.push_back(word.first);
-  return made;
-}
-}  // namespace detail
+template <class Field>
+struct Held {
+  using Value = Field;
+};
+template <class Field>
+struct Held<std::optional<Field>> {
+  using Value = Field;
+};
 
-/// A parameter of one of some words.
-template <class Value>
-Parameter choice(const std::string& spelling, Value& value,
-                 const Words<std::type_identity_t<Value>>& words, std::string meaning) {
-  auto made = detail::one_of<Value>(spelling, words, std::move(meaning));
-  made.read = [&value, words] {
-    const auto word = word_for<Value>(words, value);
-    return word.empty() ? Texts{} : Texts{word};
-  };
-  made.write = [&value, words, all = made.words, name = made.name](const Texts& texts) {
-    value = words[word_in(all, name, texts.back())].second;
-  };
-  made.restore = [&value, first = value] { value = first; };
-  return made;
-}
-
-template <class Value>
-Parameter choice(const std::string& spelling, std::optional<Value>& value,
-                 const Words<std::type_identity_t<Value>>& words, std::string meaning) {
-  auto made = detail::one_of<Value>(spelling, words, std::move(meaning));
-  made.read = [&value, words] { return value ? Texts{word_for<Value>(words, *value)} : Texts{}; };
-  made.write = [&value, words, all = made.words, name = made.name](const Texts& texts) {
-    value.reset();
-    if (!texts.empty()) value = words[word_in(all, name, texts.back())].second;
-  };
-  made.restore = [&value, first = value] { value = first; };
+/// A parameter of one of some words; of a field that may be without a value, too.
+template <class Field>
+Parameter choice(const std::string& spelling, Field& field,
+                 const Words<typename Held<Field>::Value>& words, std::string meaning) {
+  Texts names;
+  for (const auto& word : words) names.push_back(word.first);
+  auto made = bound(
+      spelling, field, std::move(meaning),
+      [&field, words] { return texts_of(word_for(words, field)); },
+      [&field, words, names, name = name_in(spelling)](const Texts& texts) {
+        field = texts.empty() ? Field{} : Field{words[word_in(names, name, texts.back())].second};
+      });
+  made.kind = names.front() == "on" && names.size() == 2 ? Kind::on_off : Kind::word;
+  made.words = std::move(names);
   return made;
 }
 

@@ -15,22 +15,13 @@
 namespace coppermoon::request {
 namespace {
 
-bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7F'; }
-
 /// Text in TOML that stays on its line.
 std::string quoted(const std::string& text) {
-  if (std::ranges::none_of(text, is_control)) {
-    std::ostringstream literal;
-    literal << toml::value<std::string>(text);
-    return literal.str();
-  }
-  std::string literal = "\"";
-  for (const char c : text)
-    if (is_control(c))
-      literal += fmt::format("\\u{:04x}", static_cast<int>(c));
-    else
-      literal += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
-  return literal + "\"";
+  const bool plain = std::ranges::none_of(text, [](char c) { return c >= 0 && c < ' '; });
+  std::ostringstream literal;
+  literal << toml::toml_formatter{toml::value{text}, plain ? toml::toml_formatter::default_flags
+                                                           : toml::format_flags::none};
+  return literal.str();
 }
 
 /// Whether TOML has the text as a number: its own integers end at 2^63, and 24000/1001 is none.
@@ -42,8 +33,7 @@ bool is_bare(const Parameter& parameter, const std::string& text) {
 }
 
 Setting setting_of(const Parameter& parameter) {
-  Setting setting{
-      .name = parameter.name, .table = parameter.table, .affects = parameter.affects};
+  Setting setting{.name = parameter.name, .table = parameter.table, .affects = parameter.affects};
   for (const auto& text : parameter.texts()) {
     if (parameter.parts) {
       take_parts(*parameter.parts, text);

@@ -20,7 +20,7 @@ struct Setting {
   Texts texts{};                ///< as Parameter::take has them; none: no value
   std::vector<Recipe> parts{};  ///< of each value, where values have parts, as regions of the air
   bool bare = false;            ///< in TOML without quotes: numbers, true and false
-  std::string table{};          ///< that it is in, or would be in beside values with parts; empty: none
+  std::string table{};  ///< that it is in, or would be in beside values with parts; empty: none
   Affects affects = Affects::ground;
   std::string where{};  ///< "moon.toml:3: " of a recipe that was read
 

@@ -162,7 +162,8 @@ void run(Verb& verb, const Options& options) {
   film.record.view_contents = fingerprint(film.development, space_of(film.content));
   film.record.map_contents += uses::scene_contents(film.scene);
   film.record.way_out = ", or --replace";
-  const auto files = files_of(options.film);
+  require_whole_film(options.film);
+  const auto& files = options.film.files;
   require_makeable(files, film);
   say_which_are_outside(film);
   const bool part_of_light = light_alone && shard.parts > 1;

@@ -299,10 +299,10 @@ Report make(const Verb& verb, const Options& options, const std::vector<Output>&
     made.files.push_back(output.path.string());
     ProgressBar bar("bake");
     made.recipe = text_of(recipe_for(output.content, recipe));
-    const auto baked =
-        uses::baked(moon, output.content,
-                    {.progress = bar.progress(),
-                     .recipe = [&](const auto&, const auto&) { return made.recipe; }});
+    const auto baked = uses::baked(
+        moon, output.content, {.progress = bar.progress(), .recipe = [&](const auto&, const auto&) {
+                                 return made.recipe;
+                               }});
     output.format.write({options, outputs, output, moon, baked});
   }
   made.seconds = seconds_since(start);

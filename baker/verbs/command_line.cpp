@@ -65,10 +65,10 @@ WrongUsage unknown_short(const Verb& verb, const std::string& name) {
   for (const auto& parameter : verb.parameters)
     if (is_written(parameter.kind)) flags.push_back("--" + parameter.name);
   if (name != "-o") return WrongUsage(fmt::format("{}: unexpected argument", name));
-  return WrongUsage(fmt::format("-o: unknown option of {}; {}", verb.name,
-                                flags.empty() ? "it prints its results"
-                                              : fmt::format("files are named by {}",
-                                                            fmt::join(flags, ", "))));
+  return WrongUsage(
+      fmt::format("-o: unknown option of {}; {}", verb.name,
+                  flags.empty() ? "it prints its results"
+                                : fmt::format("files are named by {}", fmt::join(flags, ", "))));
 }
 
 /// Advice that ends the error of an unknown flag.
@@ -138,7 +138,8 @@ void find_recipe(Line& line) {
   auto& named = line.texts_of(*recipe);
   if (named.size() > 1) throw WrongUsage("--recipe: given twice, allowed once");
   for (auto& [parameter, texts] : line.typed)
-    if (parameter->is_positional() && (parameter->name == "instant" || parameter->name == "eclipse"))
+    if (parameter->is_positional() &&
+        (parameter->name == "instant" || parameter->name == "eclipse"))
       if (named.empty() && !texts.empty() && holds_recipe(texts.front())) named.swap(texts);
   std::erase_if(line.typed, [](const Typed& one) { return one.texts.empty(); });
 }
@@ -229,7 +230,8 @@ Asked asked_by(Program& program, Words words) {
   const auto first = words.front();
   if (first == "version" || first == "--version")
     return {nullptr, fmt::format("coppermoon {}\n", uses::version())};
-  const bool all = first == "--help-all", help = all || first == "help" || first == "--help" || first == "-h";
+  const bool all = first == "--help-all",
+             help = all || first == "help" || first == "--help" || first == "-h";
   if (help) words.erase(words.begin());
   if (help && words.empty()) return {nullptr, program_help(program)};
   auto& verb = verb_named(program, words.front());

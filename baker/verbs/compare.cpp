@@ -350,8 +350,7 @@ void add_compare(Program& program) {
            "the render itself")
       .reads_file();
   add_described(verb, options->response, uses::describe_response);
-  add_run_switch(verb, "--csv", options->csv,
-                 "prints the steps of distance, and the disc, as CSV");
+  add_run_switch(verb, "--csv", options->csv, "prints the steps of distance, and the disc, as CSV");
   add_json_switch(verb, options->json, {result::fields_of<Document>}).not_beside({{"csv"}});
   on_run(verb, [options] { run(*options); });
 }

@@ -15,7 +15,8 @@
 namespace coppermoon::verbs {
 
 /// --coding: what a photograph's numbers mean.
-inline request::Parameter& add_coding_option(Verb& verb, texture::Coding& coding, const std::string& help) {
+inline request::Parameter& add_coding_option(Verb& verb, texture::Coding& coding,
+                                             const std::string& help) {
   using enum texture::Coding;
   return add_choice<texture::Coding>(
       verb, "--coding", coding,

@@ -21,12 +21,22 @@ namespace coppermoon::verbs {
 namespace {
 
 using almanac::Instant;
-
-constexpr const char* film_group = "The film";
+using request::Affects, request::parameter;
 
 const std::vector<std::pair<std::string, uses::Mount>> mounts{{"tracking", uses::Mount::tracking},
                                                               {"horizon", uses::Mount::horizon},
                                                               {"fixed", uses::Mount::fixed}};
+
+struct ProductWord {
+  std::string_view word;
+  bool uses::Products::*product;
+};
+
+/// Words of --make.
+constexpr ProductWord product_words[]{
+    {"light", &uses::Products::light},     {"scenes", &uses::Products::scenes},
+    {"tx", &uses::Products::mipmapped},    {"textures", &uses::Products::textures},
+    {"frames", &uses::Products::frames},   {"pictures", &uses::Products::pictures}};
 
 /// Seconds of a text as "10", "10s" or "2min", as a number.
 std::string duration_as_seconds(const std::string& text) {
@@ -38,58 +48,54 @@ std::string duration_as_seconds(const std::string& text) {
   return request::text_of(*seconds);
 }
 
+/// Adds a parameter of the film.
+request::Parameter& add(Verb& verb, request::Parameter made, Affects affects = Affects::ground) {
+  return add_flag(verb, std::move(made)).in("The film").of(affects);
+}
+
 void add_times(Verb& verb, FilmOptions& options) {
-  add_flag(verb, "eclipse,--eclipse", options.eclipse,
-           "day of the eclipse, as 2018-07-27; or a file of a film, to go on with it")
-      .in(film_group);
+  add(verb, parameter("eclipse,--eclipse", options.eclipse,
+                      "day of the eclipse, as 2018-07-27; or a file of a film, to go on with it"));
   add_calendar_option(verb, options.calendar);
   add_zone_option(verb, options.zone);
   const std::string moments =
       "moment in UTC, or a contact: P1, U1, U2, greatest, U3, U4, P4, as P1-10min or U2+90s; or ";
-  add_flag(verb, "--from", options.from,
-           moments +
-               "moonrise: P1, or where the Moon rises later at the place of --at, its rise; "
-               "by default P1 means the same")
-      .in(film_group);
-  add_flag(verb, "--to", options.to,
-           moments +
-               "moonset: P4, or where the Moon sets before at the place of --at, its set; "
-               "by default P4 means the same")
-      .in(film_group);
-  add_flag(verb, "--frames", options.frames,
-           "number of frames, 1 to 1000000, evenly from the first moment to the last; default: 240")
-      .in(film_group)
+  add(verb,
+      parameter("--from", options.from,
+                moments + "moonrise: P1, or where the Moon rises later at the place of --at, its "
+                          "rise; by default P1 means the same"));
+  add(verb,
+      parameter("--to", options.to,
+                moments + "moonset: P4, or where the Moon sets before at the place of --at, its "
+                          "set; by default P4 means the same"));
+  add(verb, parameter("--frames", options.frames,
+                      "number of frames, 1 to 1000000, evenly from the first moment to the last; "
+                      "default: 240"))
       .within(1, 1e6);
-  add_flag(
-      verb,
-      request::parameter("--fps", options.fps,
-                         "frames per second of the film, 1 to 1000, as 24, 24000/1001, or "
-                         "23.976, 29.97 and 59.94, which mean ratios with 1001")
-          .as(request::Kind::number)
-          .within(1, 1000)
-          .spelt_by([](const std::string& text) { return text_of(uses::frame_rate_from(text)); }))
-      .in(film_group);
-  add_flag(verb, "--time-scale", options.time_scale,
-           "seconds of the eclipse per second of the film, 0.001 to 1e6, in place of --frames")
-      .in(film_group)
+  add(verb, parameter("--fps", options.fps,
+                      "frames per second of the film, 1 to 1000, as 24, 24000/1001, or 23.976, "
+                      "29.97 and 59.94, which mean ratios with 1001"))
+      .as(request::Kind::number)
+      .within(1, 1000)
+      .spelt_by([](const std::string& text) { return text_of(uses::frame_rate_from(text)); });
+  add(verb, parameter("--time-scale", options.time_scale,
+                      "seconds of the eclipse per second of the film, 0.001 to 1e6, in place of "
+                      "--frames"))
       .within(0.001, 1e6);
-  add_flag(verb, request::parameter("--duration", options.duration_s,
-                                    "length of the film [s], 0.001 to 1e6, or as 10s or 2min, in "
-                                    "place of --frames: as many frames as --fps has in it")
-                     .within(0.001, 1e6)
-                     .spelt_by(duration_as_seconds))
-      .in(film_group);
-  add_flag(
-      verb, "--moments", options.moments,
-      "moments of the frames, with commas between, in order of time, as U1,U2+5min,greatest, in "
-      "place of --from, --to and --frames")
-      .in(film_group);
-  add_flag(verb, "--start-frame", options.start_frame,
-           "number of the first frame, 0 to 1000000, in names of files, --range and the stage; "
-           "default: 1")
-      .in(film_group)
-      .within(0, 1e6)
-      .of(request::Affects::sight);
+  add(verb, parameter("--duration", options.duration_s,
+                      "length of the film [s], 0.001 to 1e6, or as 10s or 2min, in place of "
+                      "--frames: as many frames as --fps has in it"))
+      .within(0.001, 1e6)
+      .spelt_by(duration_as_seconds);
+  add(verb, parameter("--moments", options.moments,
+                      "moments of the frames, with commas between, in order of time, as "
+                      "U1,U2+5min,greatest, in place of --from, --to and --frames"));
+  add(verb,
+      parameter("--start-frame", options.start_frame,
+                "number of the first frame, 0 to 1000000, in names of files, --range and the "
+                "stage; default: 1"),
+      Affects::sight)
+      .within(0, 1e6);
 }
 
 /// Moments of a list.
@@ -105,78 +111,66 @@ std::vector<Instant> moments_in(const std::string& text, const eclipse::Eclipse&
 }
 
 void add_making(Verb& verb, FilmOptions& options) {
-  add_flag(
-      verb, "--make", options.make,
-      "what to make, with commas between: textures, scenes (with their textures), frames "
-      "(scene-linear), pictures; tx (textures tiled and mip-mapped, .tx) alone; or light alone, "
-      "which they all need. Files of the whole film add what they are made of")
-      .in(film_group)
-      .of(request::Affects::share);
-  add_flag(verb, "--range", options.range, "frames to make, as 1-240, 1-240x2 or 7,9,20-30")
-      .in(film_group)
-      .of(request::Affects::share);
-  add_flag(verb, "--shard", options.shard,
-           "share of the work, K/N: every N-th frame from the K-th on; with --make light, that "
-           "part of the photons")
-      .in(film_group)
-      .of(request::Affects::share);
-  add_choice<uses::Mount>(verb, "--mount", options.mount, mounts,
-                          "mount of the camera: tracking (the Moon stays in the middle), horizon "
-                          "(the same, zenith up) or fixed (on a tripod, zenith up)")
-      .in(film_group)
-      .of(request::Affects::frame);
-  add_flag(verb, "--aim", options.aim,
-           "ALTITUDE,AZIMUTH that a fixed mount points at [degrees, azimuth from north through "
-           "east]; default: where the Moon is half way")
-      .in(film_group)
-      .of(request::Affects::frame);
-  add_flag(
-      verb, "--scene", options.scene,
-      "POV-Ray scene of your own, .pov: each frame is this scene beside moon.inc, sky and stars "
-      "of its moment (see `coppermoon scene`), with frame_number and a clock from 0 to 1")
-      .in(film_group)
-      .reads_file()
-      .of(request::Affects::frame);
-  add_flag(verb, "--bracket", options.bracket_ev,
-           "stops: pictures so much under and over are made too, 0.01 to 10")
-      .in(film_group)
-      .within(0.01, 10)
-      .of(request::Affects::picture);
+  add(verb,
+      parameter("--make", options.make,
+                "what to make, with commas between: textures, scenes (with their textures), frames "
+                "(scene-linear), pictures; tx (textures tiled and mip-mapped, .tx) alone; or light "
+                "alone, which they all need. Files of the whole film add what they are made of"),
+      Affects::share);
+  add(verb, parameter("--range", options.range, "frames to make, as 1-240, 1-240x2 or 7,9,20-30"),
+      Affects::share);
+  add(verb,
+      parameter("--shard", options.shard,
+                "share of the work, K/N: every N-th frame from the K-th on; with --make light, "
+                "that part of the photons"),
+      Affects::share);
+  add(verb,
+      request::choice("--mount", options.mount, mounts,
+                      "mount of the camera: tracking (the Moon stays in the middle), horizon (the "
+                      "same, zenith up) or fixed (on a tripod, zenith up)"),
+      Affects::frame);
+  add(verb,
+      parameter("--aim", options.aim,
+                "ALTITUDE,AZIMUTH that a fixed mount points at [degrees, azimuth from north "
+                "through east]; default: where the Moon is half way"),
+      Affects::frame);
+  add(verb,
+      parameter("--scene", options.scene,
+                "POV-Ray scene of your own, .pov: each frame is this scene beside moon.inc, sky "
+                "and stars of its moment (see `coppermoon scene`), with frame_number and a clock "
+                "from 0 to 1"),
+      Affects::frame)
+      .reads_file();
+  add(verb,
+      parameter("--bracket", options.bracket_ev,
+                "stops: pictures so much under and over are made too, 0.01 to 10"),
+      Affects::picture)
+      .within(0.01, 10);
 }
 
 void add_files_of_all(Verb& verb, FilmOptions& options) {
-  const std::string group = "Of the whole film";
-  add_flag(
-      verb, "--contact-sheet", options.contact_sheet,
-      "contact sheet, .png: some 40 pictures, those at the contacts among them, with their times")
-      .writes_file()
-      .in(group);
-  add_flag(
-      verb, "--curve", options.curves,
-      "light curve, .csv, .png, .svg or .pdf: V magnitude and mean luminance of the disc above the "
-      "air. May be given again")
-      .writes_file()
-      .in(group);
-  add_flag(
-      verb, "--movie", options.movie,
-      "movie of the pictures, made by ffmpeg: .mp4 (H.264), or .mov (ProRes 422 HQ) for editing")
-      .writes_file()
-      .in(group);
+  const auto add_file = [&](const char* flag, auto& file, const char* text) {
+    add_flag(verb, flag, file, text).writes_file().in("Of the whole film");
+  };
+  add_file("--contact-sheet", options.files.contact_sheet,
+           "contact sheet, .png: some 40 pictures, those at the contacts among them, with their "
+           "times");
+  add_file("--curve", options.files.curves,
+           "light curve, .csv, .png, .svg or .pdf: V magnitude and mean luminance of the disc "
+           "above the air. May be given again");
+  add_file("--movie", options.files.movie,
+           "movie of the pictures, made by ffmpeg: .mp4 (H.264), or .mov (ProRes 422 HQ) for "
+           "editing");
   add_switch(verb, "--hdr", options.hdr,
              "makes pictures of high dynamic range too (PQ, Rec.2020, frame_hdr.0001.png), and the "
              "movie of them: HDR10 in HEVC, .mp4; or PQ in ProRes, .mov")
-      .in(group)
-      .of(request::Affects::share);
-  add_flag(verb, "--composite", options.composite,
-           "picture of all linear frames together, .png, each with its own exposure")
-      .writes_file()
-      .in(group);
-  add_flag(verb, "--stage", options.stage,
+      .in("Of the whole film")
+      .of(Affects::share);
+  add_file("--composite", options.files.composite,
+           "picture of all linear frames together, .png, each with its own exposure");
+  add_file("--stage", options.files.stage,
            "stage of USD among the textures, .usda: the Moon by one shader or by its textures, "
-           "camera, moonlight and "
-           "contacts")
-      .writes_file()
-      .in(group);
+           "camera, moonlight and contacts");
 }
 
 constexpr double half_a_month_s = 15 * 86400.;
@@ -193,10 +187,6 @@ eclipse::Eclipse eclipse_near(const std::string& text, almanac::Calendar calenda
                     almanac::utc_text(nearest.greatest, calendar)));
   nearest.calendar = calendar;
   return nearest;
-}
-
-std::string word_for(uses::Mount mount) {
-  return std::ranges::find(mounts, mount, &std::pair<std::string, uses::Mount>::second)->first;
 }
 
 }  // namespace
@@ -279,22 +269,18 @@ uses::Products products_of(const FilmOptions& options) {
   uses::Products products{.high_range = options.hdr};
   std::istringstream names(options.make);
   for (std::string name; std::getline(names, name, ',');) {
-    products.light |= name == "light";
-    products.textures |= name == "textures" || name == "scenes" || name == "tx";
-    products.mipmapped |= name == "tx";
-    products.scenes |= name == "scenes";
-    products.frames |= name == "frames";
-    products.pictures |= name == "pictures";
-    if (name != "light" && name != "textures" && name != "scenes" && name != "frames" &&
-        name != "pictures" && name != "tx")
+    const auto* known = std::ranges::find(product_words, name, &ProductWord::word);
+    if (known == std::end(product_words))
       throw algebra::Error(
           fmt::format("make = {}, allowed light, textures, tx, scenes, frames and pictures, with "
                       "commas between",
                       options.make));
+    products.*known->product = true;
   }
-  products.textures |= !options.stage.empty();
-  products.frames |= !options.composite.empty();
-  products.pictures |= !options.movie.empty() || !options.contact_sheet.empty();
+  const auto& files = options.files;
+  products.textures |= products.scenes || products.mipmapped || !files.stage.empty();
+  products.frames |= !files.composite.empty();
+  products.pictures |= !files.movie.empty() || !files.contact_sheet.empty();
   if (options.hdr && !products.pictures)
     throw algebra::Error("--hdr is of pictures, allowed with pictures among --make");
   return products;
@@ -324,8 +310,8 @@ std::vector<std::pair<Instant, double>> time_keys_from(const std::string& text,
 
 uses::Mounting mounting_of(const FilmOptions& options, bool observed) {
   if (options.mount != uses::Mount::fixed && !options.aim.empty())
-    throw algebra::Error(
-        fmt::format("mount = {}: --aim needs a fixed one", word_for(options.mount)));
+    throw algebra::Error(fmt::format("mount = {}: --aim needs a fixed one",
+                                     request::word_for(mounts, options.mount)));
   if (options.mount == uses::Mount::fixed && !observed)
     throw algebra::Error("mount = fixed: needs --at");
   uses::Mounting mounting{.mount = options.mount};
@@ -333,41 +319,28 @@ uses::Mounting mounting_of(const FilmOptions& options, bool observed) {
   return mounting;
 }
 
-/// First given flag of a file that needs the whole film; null without.
-const char* whole_film_flag(const FilmOptions& options) {
-  return !options.movie.empty()           ? "--movie"
-         : !options.contact_sheet.empty() ? "--contact-sheet"
-         : !options.composite.empty()     ? "--composite"
-         : !options.stage.empty()         ? "--stage"
-         : !options.curves.empty()        ? "--curve"
-                                          : nullptr;
-}
-
 std::string make_text(const uses::Products& products) {
-  std::vector<const char*> names;
-  if (products.light) names.push_back("light");
-  if (products.scenes) names.push_back("scenes");
-  if (products.mipmapped) names.push_back("tx");
-  if (products.textures && !products.scenes && !products.mipmapped) names.push_back("textures");
-  if (products.frames) names.push_back("frames");
-  if (products.pictures) names.push_back("pictures");
+  std::vector<std::string_view> names;
+  for (const auto& [word, product] : product_words)
+    if (products.*product && !(word == "textures" && (products.scenes || products.mipmapped)))
+      names.push_back(word);
   return fmt::format("{}", fmt::join(names, ","));
 }
 
-uses::FilmFiles files_of(const FilmOptions& options) {
-  uses::FilmFiles files{.contact_sheet = options.contact_sheet,
-                        .movie = options.movie,
-                        .composite = options.composite,
-                        .stage = options.stage,
-                        .curves = {options.curves.begin(), options.curves.end()}};
-  if (const auto* flag = whole_film_flag(options);
-      flag && uses::shard_from(options.shard).parts > 1)
+void require_whole_film(const FilmOptions& options) {
+  const auto& [sheet, movie, composite, stage, curves] = options.files;
+  const char* flag = !movie.empty()       ? "--movie"
+                     : !sheet.empty()     ? "--contact-sheet"
+                     : !composite.empty() ? "--composite"
+                     : !stage.empty()     ? "--stage"
+                     : !curves.empty()    ? "--curve"
+                                          : nullptr;
+  if (flag != nullptr && uses::shard_from(options.shard).parts > 1)
     throw algebra::Error(
         fmt::format("{} needs every frame: run it without --shard after all shards, which are made "
                     "with --make {}",
                     flag, make_text(products_of(options))));
-  require_sound(files, {});
-  return files;
+  require_sound(options.files, {});
 }
 
 }  // namespace coppermoon::verbs

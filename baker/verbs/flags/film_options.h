@@ -30,8 +30,7 @@ struct FilmOptions {
   std::string aim = {}, scene = {};
   std::optional<double> bracket_ev = {};
   bool hdr = false;
-  std::string contact_sheet = {}, movie = {}, composite = {}, stage = {};
-  std::vector<std::string> curves = {};
+  uses::FilmFiles files = {};
 };
 
 /// When its frames are, what is made of them, which of them, the mount; files of the whole film.
@@ -76,10 +75,8 @@ std::vector<std::pair<almanac::Instant, double>> time_keys_from(
 /// Throws  Error     for a fixed mount without one, an aim without a fixed mount or that is none
 uses::Mounting mounting_of(const FilmOptions& options, bool observed);
 
-/// Files of the whole film.
-///
-/// Throws  Error  as require_sound of them; for those of a shard
-uses::FilmFiles files_of(const FilmOptions& options);
+/// Throws  Error  for files of the whole film as require_sound; where a shard asks for one
+void require_whole_film(const FilmOptions& options);
 
 /// Products as --make has them.
 std::string make_text(const uses::Products& products);

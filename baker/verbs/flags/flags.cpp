@@ -15,12 +15,11 @@ using request::Affects, request::Parameter;
 
 Program::Program() {
   of_all.begin("", "", Affects::run);
-  of_all.add(request::presence("-h,--help", help,
-                               "explains the command, with its common options"));
+  of_all.add(request::presence("-h,--help", help, "explains the command, with its common options"));
   of_all.add(
       request::presence("--help-all", help_all, "explains the command, with all its options"));
-  of_all.add(request::parameter("--threads", threads,
-                                "number of threads; 0: one for each processor"))
+  of_all
+      .add(request::parameter("--threads", threads, "number of threads; 0: one for each processor"))
       .within(0, 512)
       .usual.clear();
 }
@@ -111,8 +110,6 @@ bool is_typed(const Verb& verb, std::string_view name) {
   return std::ranges::find(verb.typed, name) != verb.typed.end();
 }
 
-std::string recipe_of(const Verb& verb) {
-  return text_of(request::recipe_of(verb.parameters));
-}
+std::string recipe_of(const Verb& verb) { return text_of(request::recipe_of(verb.parameters)); }
 
 }  // namespace coppermoon::verbs

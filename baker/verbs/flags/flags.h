@@ -29,10 +29,10 @@ using Documents = std::vector<result::Fields (*)()>;
 struct Verb {
   std::string name{}, help{};
   request::Parameters parameters{};
-  std::function<void()> run{};        ///< what it does once its parameters have their values
-  Program* program = nullptr;         ///< whose command it is; null: none's, to read the recipe of a file
+  std::function<void()> run{};  ///< what it does once its parameters have their values
+  Program* program = nullptr;   ///< whose command it is; null: none's, to read the recipe of a file
   Documents documents{};
-  std::vector<std::string> typed{};   ///< names of parameters that the command line itself gives
+  std::vector<std::string> typed{};  ///< names of parameters that the command line itself gives
 };
 
 /// The program: its commands, and the parameters of all of them. Parameters keep its address.

@@ -90,8 +90,8 @@ std::string examples_of(const Guide& guide) {
 }
 
 std::string heading(const Verb& verb) {
-  return fmt::format("coppermoon {} {}.\n\nUsage: coppermoon {}\n", verb.name,
-                     verb.help, usage_of(verb));
+  return fmt::format("coppermoon {} {}.\n\nUsage: coppermoon {}\n", verb.name, verb.help,
+                     usage_of(verb));
 }
 
 }  // namespace

@@ -28,7 +28,8 @@ void say(const std::string& asked, const Instant& when, almanac::Calendar calend
 
 }  // namespace
 
-request::Parameter& add_moment_options(Verb& verb, MomentOptions& options, const std::string& more) {
+request::Parameter& add_moment_options(Verb& verb, MomentOptions& options,
+                                       const std::string& more) {
   auto& flag = add_flag(
       verb, "instant,--instant", options.text,
       "moment in UTC: 2018-07-27T20:21:45Z; a day alone is its greatest eclipse; a day and a "
@@ -82,8 +83,7 @@ void say_what_is_utc(const Verb& verb) {
   const bool zoned = verb.parameters.find("zone") != nullptr;
   for (const char* name : {"instant", "from", "to"})
     if (is_given(verb, name))
-      if (const auto moment = verb.parameters.find(name)->text();
-          eclipse::is_clock_time(moment))
+      if (const auto moment = verb.parameters.find(name)->text(); eclipse::is_clock_time(moment))
         fmt::print(stderr,
                    "coppermoon: {} is read as UTC; {}an offset, as {}+02:00, says otherwise\n",
                    moment, zoned ? "--zone local, or " : "", moment);

@@ -23,7 +23,8 @@ struct MomentOptions {
 /// Adds the moment, with or without --instant before it, --calendar and --zone.
 ///
 /// Given  more  for help: other things that may stand in the moment's place
-request::Parameter& add_moment_options(Verb& verb, MomentOptions& options, const std::string& more = "");
+request::Parameter& add_moment_options(Verb& verb, MomentOptions& options,
+                                       const std::string& more = "");
 
 /// Adds --calendar.
 void add_calendar_option(Verb& verb, almanac::Calendar& calendar);

@@ -21,8 +21,7 @@ struct Command {
 
 std::vector<Command> commands_of(const Program& program) {
   std::vector<Command> all;
-  for (const auto& verb : program.verbs)
-    all.push_back({verb.name, verb.help, flag_texts(verb)});
+  for (const auto& verb : program.verbs) all.push_back({verb.name, verb.help, flag_texts(verb)});
   return all;
 }
 

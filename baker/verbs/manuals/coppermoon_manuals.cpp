@@ -22,8 +22,7 @@ void write_all(const std::filesystem::path& folder) {
   add_verbs(program);
   write_whole(folder / "coppermoon.1", verbs::program_manual_page(program));
   for (const auto& verb : program.verbs)
-    write_whole(folder / fmt::format("coppermoon-{}.1", verb.name),
-                verbs::manual_page(verb));
+    write_whole(folder / fmt::format("coppermoon-{}.1", verb.name), verbs::manual_page(verb));
   write_whole(folder / "coppermoon.bash", verbs::bash_completion(program));
   write_whole(folder / "coppermoon.zsh", verbs::zsh_completion(program));
   write_whole(folder / "coppermoon.fish", verbs::fish_completion(program));

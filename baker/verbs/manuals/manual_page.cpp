@@ -87,8 +87,8 @@ std::string program_manual_page(const Program& program) {
   std::string also;
   for (const auto& verb : program.verbs) {
     text += fmt::format(".TP\n{}\n{}\n", bold(verb.name), in_roff(verb.help));
-    also += fmt::format("{}.BR {} (1)", also.empty() ? "" : " ,\n",
-                        in_roff("coppermoon-" + verb.name));
+    also +=
+        fmt::format("{}.BR {} (1)", also.empty() ? "" : " ,\n", in_roff("coppermoon-" + verb.name));
   }
   text +=
       ".SH OPTIONS\n.TP\n\\fB\\-\\-help\\fR\nlists the commands; behind a command, its common "

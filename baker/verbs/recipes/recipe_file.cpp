@@ -54,31 +54,39 @@ bool is_anothers(const Verb& verb, const Setting& setting) {
                              [&](const Verb& other) { return has(other, setting); });
 }
 
-WrongUsage unknown(const Verb& verb, const Setting& setting) {
-  auto known = names_in(verb, setting.table);
-  const bool no_table = known.empty();
-  if (no_table && holds(names_of(verb), setting.table))
-    throw algebra::Error(fmt::format("{}{}: {} is no table, allowed a value above all tables",
-                                     setting.where, setting.name, setting.table));
-  if (no_table) known = names_of(verb);
-  std::ranges::replace(known, setting.table, "model");
-  const auto table = no_table || setting.table.empty() ? verb.name : "[" + setting.table + "]";
-  const auto key = no_table ? setting.table : setting.name;
+/// Error of a key that its table has not.
+///
+/// Given  known  keys of the table, one or more
+WrongUsage no_such_key(const Verb& verb, const std::string& where, const std::string& key,
+                       const std::string& table, const std::vector<std::string>& known) {
+  const bool above = table != verb.name && holds(names_of(verb), key);
   const auto now = since_there_is_no(key);
-  return WrongUsage(fmt::format("{}{}: {} has no such key; {}", setting.where, one_line(key), table,
-                                !no_table && holds(names_of(verb), key)
-                                    ? "it belongs above all tables"
-                                : !now.empty() ? std::string(now)
-                                               : "the nearest is " + request::nearest(key, known)));
+  return WrongUsage(
+      fmt::format("{}{}: {} has no such key; {}", where, one_line(key), table,
+                  above          ? "it belongs above all tables"
+                  : !now.empty() ? std::string(now)
+                                 : "the nearest is " + request::nearest(key, known)));
+}
+
+WrongUsage unknown(const Verb& verb, const Setting& setting) {
+  const auto& [name, texts, parts, bare, table, affects, where] = setting;
+  auto known = names_in(verb, table);
+  if (table.empty()) return no_such_key(verb, where, name, verb.name, known);
+  if (known.empty() && holds(names_of(verb), table))
+    throw algebra::Error(
+        fmt::format("{}{}: {} is no table, allowed a value above all tables", where, name, table));
+  if (known.empty()) return no_such_key(verb, where, table, verb.name, names_of(verb));
+  std::ranges::replace(known, table, "model");
+  return no_such_key(verb, where, name, "[" + table + "]", known);
 }
 
 /// Refuses settings that say where files go, or how a run goes: a recipe may be a stranger's.
 void require_no_output(Verb& verb, const Setting& setting) {
   const auto* parameter = flag_of(verb, setting.name);
   if (parameter != nullptr && parameter->affects == request::Affects::run)
-    throw WrongUsage(fmt::format("{}{}: {} is said on the command line alone", setting.where,
-                                 setting.name,
-                                 is_written(parameter->kind) ? "where files go" : "how a run goes"));
+    throw WrongUsage(
+        fmt::format("{}{}: {} is said on the command line alone", setting.where, setting.name,
+                    is_written(parameter->kind) ? "where files go" : "how a run goes"));
 }
 
 /// Parameter that a setting gives a value; null: the command passes it over.
@@ -93,13 +101,11 @@ Parameter* heeded(Verb& verb, const Setting& setting, bool lenient) {
 }
 
 /// Parts of a value as its flag spells them: "cloud-cover=1,from-latitude=-90,to-latitude=0".
-std::string text_of_parts(const Parameter& grouped, const Recipe& value) {
+std::string text_of_parts(const Verb& verb, const Parameter& grouped, const Recipe& value) {
   std::vector<std::string> parts, known;
   for (const auto& part : *grouped.parts) known.push_back(part.name);
   for (const auto& [name, texts, of_part, bare, table, affects, where] : value) {
-    if (!holds(known, name))
-      throw WrongUsage(fmt::format("{}{}: a {} has no such key; the nearest is {}", where, name,
-                                   grouped.name, request::nearest(name, known)));
+    if (!holds(known, name)) throw no_such_key(verb, where, name, "a " + grouped.name, known);
     const auto text = fmt::format("{}", fmt::join(texts, ","));
     if (text.empty() || text.find(',') != std::string::npos)
       throw algebra::Error(
@@ -111,7 +117,7 @@ std::string text_of_parts(const Parameter& grouped, const Recipe& value) {
 
 /// Texts of a setting as its parameter takes them. `on` and `off` may be written true and false; a list is several
 /// values, or one with commas.
-Texts texts_for(const Parameter& parameter, const Setting& setting) {
+Texts texts_for(const Verb& verb, const Parameter& parameter, const Setting& setting) {
   if (!setting.parts.empty() && !parameter.parts)
     throw algebra::Error(
         fmt::format("{}{}: allowed are texts, numbers, dates, true, false and lists", setting.where,
@@ -125,12 +131,13 @@ Texts texts_for(const Parameter& parameter, const Setting& setting) {
     if (setting.bare && parameter.kind != Kind::presence && (text == "true" || text == "false"))
       text = text == "true" ? "on" : "off";
   }
-  for (const auto& value : setting.parts) texts.push_back(text_of_parts(parameter, value));
+  for (const auto& value : setting.parts) texts.push_back(text_of_parts(verb, parameter, value));
   return texts;
 }
 
-void take(Parameter& parameter, const Setting& setting, const std::string& made_file) {
-  auto texts = texts_for(parameter, setting);
+void take(const Verb& verb, Parameter& parameter, const Setting& setting,
+          const std::string& made_file) {
+  auto texts = texts_for(verb, parameter, setting);
   if (!made_file.empty() && parameter.kind == Kind::file_read)
     for (auto& text : texts) text = files::shared_file(text, made_file);
   try {
@@ -187,7 +194,7 @@ void take_recipe(Verb& verb, const std::string& path) {
   const auto recipe = recipe_of_file(path);
   for (const auto& setting : made ? of_frame(verb, path, recipe) : recipe)
     if (auto* parameter = heeded(verb, setting, made); parameter && !is_typed(verb, setting.name))
-      take(*parameter, setting, made ? path : "");
+      take(verb, *parameter, setting, made ? path : "");
 }
 
 void warn_of_another_camera(const std::string& file, const std::optional<std::string>& response) {

@@ -198,21 +198,21 @@ TEST(ExposureKeys, AreMomentsAndSecondsInOrder) {
 }
 
 TEST(FilesOfAFilm, AddWhatTheyAreMadeOf) {
-  EXPECT_EQ(make_text(products_of({.composite = "a.png"})), "frames,pictures");
-  EXPECT_EQ(make_text(products_of({.stage = "a.usda"})), "textures,pictures");
-  EXPECT_EQ(make_text(products_of({.make = "textures", .stage = "a.usda"})), "textures");
-  EXPECT_EQ(make_text(products_of({.make = "scenes", .contact_sheet = "a.png"})),
+  EXPECT_EQ(make_text(products_of({.files = {.composite = "a.png"}})), "frames,pictures");
+  EXPECT_EQ(make_text(products_of({.files = {.stage = "a.usda"}})), "textures,pictures");
+  EXPECT_EQ(make_text(products_of({.make = "textures", .files = {.stage = "a.usda"}})), "textures");
+  EXPECT_EQ(make_text(products_of({.make = "scenes", .files = {.contact_sheet = "a.png"}})),
             "scenes,pictures");
-  EXPECT_EQ(make_text(products_of({.make = "tx", .movie = "a.mov"})), "tx,pictures");
+  EXPECT_EQ(make_text(products_of({.make = "tx", .files = {.movie = "a.mov"}})), "tx,pictures");
   EXPECT_EQ(make_text(products_of({.make = "light"})), "light");
 }
 
 TEST(FilesOfAFilm, AreOfKnownEndingsAndOfAWholeFilm) {
-  EXPECT_EQ(refusal_of([] { files_of({.movie = "a.avi"}); }),
+  EXPECT_EQ(refusal_of([] { require_whole_film({.files = {.movie = "a.avi"}}); }),
             "a.avi: a movie ends in .mp4 or .mov");
-  EXPECT_EQ(files_of({.movie = "a.mov"}).movie, "a.mov");
-  EXPECT_EQ(files_of({.composite = "a.png"}).composite, "a.png");
-  EXPECT_EQ(refusal_of([] { files_of({.shard = "1/2", .composite = "a.png"}); }),
+  EXPECT_EQ(refusal_of([] { require_whole_film({.files = {.movie = "a.mov"}}); }), "");
+  EXPECT_EQ(refusal_of([] { require_whole_film({.files = {.composite = "a.png"}}); }), "");
+  EXPECT_EQ(refusal_of([] { require_whole_film({.shard = "1/2", .files = {.composite = "a.png"}}); }),
             "--composite needs every frame: run it without --shard after all shards, which are "
             "made with --make frames,pictures");
 }

@@ -86,7 +86,8 @@ std::string error_of(Program& program, const Words& words) {
 
 std::string Recipe::error_in(const std::string& text) const {
   write(text);
-  const auto error = error_of(AirProgram().program, {"bake", "--recipe", path});
+  AirProgram air;
+  const auto error = error_of(air.program, {"bake", "--recipe", path});
   EXPECT_TRUE(error.starts_with(path + ":")) << error;
   return error.substr(std::min(error.size(), path.size() + 1));
 }

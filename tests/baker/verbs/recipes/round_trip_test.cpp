@@ -29,7 +29,7 @@ const std::map<std::string, Texts>& texts_by_name() {
       {"camera", {"refractor", "400mm"}},
       {"config", {"mine.ocio"}},
       {"config-space", {"ACEScg"}},
-      {"display", {"sRGB"}},
+      {"display", {"Rec.1886 Rec.709 - Display"}},
       {"duration", {"10s", "2min"}},
       {"eclipse", {"2018-07-27", "2026-03-03"}},
       {"exposure", {"exif"}},
