@@ -218,10 +218,10 @@ std::string as_csv(const EclipseList& list) {
   return result::as_csv(rows, {list.calendar});
 }
 
-std::string as_json(const EclipseList& list) {
+result::Json as_json(const EclipseList& list) {
   auto all = result::json_of(list.eclipses, {list.calendar});
   for (auto& each : all) say_calendar(each, list.calendar);
-  return all.dump(2) + "\n";
+  return all;
 }
 
 std::vector<eclipse::Eclipse> eclipses_of(const EclipseList& list) {
@@ -253,15 +253,9 @@ std::string as_calendar(const EclipseList& list) {
 }
 
 const Writers<EclipseList>& writers() {
-  using List = EclipseList;
-  using File = std::filesystem::path;
-  static const Writers<List> all{
-      {{".ics", "calendar"},
-       [](const List& list, const File& file) { files::write_whole(file, as_calendar(list)); }},
-      {{".csv", "table"},
-       [](const List& list, const File& file) { files::write_whole(file, as_csv(list)); }},
-      {{".json", "JSON document"},
-       [](const List& list, const File& file) { files::write_whole(file, as_json(list)); }}};
+  static const Writers<EclipseList> all{writer_of({".ics", "calendar"}, as_calendar),
+                                        writer_of({".csv", "table"}, as_csv),
+                                        writer_of({".json", "JSON document"}, as_json)};
   return all;
 }
 
@@ -271,7 +265,7 @@ void run(const Options& options) {
   if (has_ending(options.outputs, ".ics")) require_in_calendars(list);
   write_files(list, options.outputs, writers());
   if (options.csv) return fmt::print("{}", as_csv(list));
-  if (options.json) return fmt::print("{}", as_json(list));
+  if (options.json) return print_json(as_json(list));
   print(list, options.brightness);
   print_names(options.outputs);
   const auto unseen = std::ranges::count_if(

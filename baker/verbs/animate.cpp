@@ -11,6 +11,7 @@
 #include "algebra/error.h"
 #include "files/whole_file.h"
 #include "povray_scenes/scene.h"
+#include "result/fields.h"
 #include "uses/film/film.h"
 #include "uses/film/film_files.h"
 #include "uses/film/film_folder.h"
@@ -228,7 +229,10 @@ void add_animate(Program& program) {
                  "lists the files that would be written, and writes none; without the film's light "
                  "those of every frame")
       .excludes("job");
-  add_run_switch(verb, "--json", options->json, "prints one JSON event per line");
+  add_json_switch(verb, options->json,
+                  {result::fields_of<LightEvent>, result::fields_of<FrameEvent>,
+                   result::fields_of<FileEvent>, result::fields_of<DoneEvent>},
+                  "prints one JSON event per line");
   on_run(verb, [&verb, options] { run(verb, *options); });
 }
 

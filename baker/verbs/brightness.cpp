@@ -140,20 +140,15 @@ Curve over_time(const Options& options) {
 }
 
 const Writers<Told>& writers() {
-  using File = std::filesystem::path;
   static const Writers<Told> all = [] {
-    Writers<Told> formats{
-        {{".csv", "table"},
-         [](const Told& told, const File& file) { files::write_whole(file, as_csv(told)); }},
-        {{".json", "JSON document"}, [](const Told& told, const File& file) {
-           files::write_whole(file, as_json(told).dump(2) + "\n");
-         }}};
+    Writers<Told> formats{writer_of({".csv", "table"}, as_csv),
+                          writer_of({".json", "JSON document"}, as_json)};
     for (const auto& format : uses::plot_files())
-      formats.push_back(
-          {{format.ending, "plot of a light curve"}, [](const Told& told, const File& file) {
-             const auto& [eclipse, place, light] = *told.curve;
-             uses::write_plot(file, plot_of(light, eclipse, place.value_or("")));
-           }});
+      formats.push_back({{format.ending, "plot of a light curve"},
+                         [](const Told& told, const std::filesystem::path& file) {
+                           const auto& [eclipse, place, light] = *told.curve;
+                           uses::write_plot(file, plot_of(light, eclipse, place.value_or("")));
+                         }});
     return formats;
   }();
   return all;
@@ -223,11 +218,7 @@ void run(const Options& options) {
   else
     told.moment = at_a_moment(options);
   write_files(told, options.outputs, writers());
-  if (options.json) {
-    auto all = as_json(told);
-    if (!options.outputs.empty()) all["files"] = options.outputs;
-    return fmt::print("{}\n", all.dump(2));
-  }
+  if (options.json) return print_json(as_json(told), options.outputs);
   if (options.csv) return fmt::print("{}", as_csv(told));
   if (told.curve)
     print(told.curve->light, told.calendar);

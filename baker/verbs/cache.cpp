@@ -25,7 +25,7 @@ using files::KeptFile;
 struct Options {
   std::string folder;
   std::optional<double> limit_gb;
-  bool list = false, clean = false, json = false;
+  bool list = false, clean = false, json = false, csv = false;
 };
 
 std::string in_megabytes(double bytes) { return fmt::format("{:.1f} MB", bytes / 1e6); }
@@ -137,6 +137,8 @@ void run(const Options& options) {
                          : folder_of(folder, files::kept_in(folder), limit_bytes);
   if (options.json)
     fmt::print("{}\n", result::as_json(found).dump(2));
+  else if (options.csv)
+    fmt::print("{}", result::as_csv(found.textures));
   else
     options.clean ? print_removed(found) : print_list(found);
 }
@@ -178,6 +180,7 @@ void add_cache(Program& program) {
            "user's folder of caches")
       .writes_folder();
   add_json_switch(verb, options->json, {result::fields_of<Folder>});
+  add_run_switch(verb, "--csv", options->csv, "prints the textures as CSV").not_beside({{"json"}});
   verb.run = [options] { run(*options); };
 }
 

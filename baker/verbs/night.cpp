@@ -282,27 +282,20 @@ std::string as_csv(const NightReport& night) {
   return result::as_csv(rows_of(night), {night.circumstances().eclipse.calendar});
 }
 
+std::string as_calendar(const NightReport& night) {
+  return uses::as_calendar(night.circumstances(), place_name(night), now());
+}
+
 const Writers<NightReport>& writers() {
-  using Night = NightReport;
-  using File = std::filesystem::path;
-  constexpr auto map = [](const Night& night, const File& file) {
+  constexpr auto map = [](const NightReport& night, const std::filesystem::path& file) {
     uses::write_visibility_map(file, night.circumstances().eclipse, night.circumstances().place);
   };
-  static const Writers<Night> all{
-      {{".ics", "calendar"},
-       [](const Night& night, const File& file) {
-         const auto text = as_calendar(night.circumstances(), place_name(night), now());
-         files::write_whole(file, text);
-       }},
-      {{".csv", "moments"},
-       [](const Night& night, const File& file) { files::write_whole(file, as_csv(night)); }},
-      {{".json", "moments and exposures"},
-       [](const Night& night, const File& file) {
-         files::write_whole(file, as_json(night).dump(2) + "\n");
-       }},
-      {{".png", "map of where the eclipse is seen"}, map},
-      {{".svg", "the same"}, map},
-      {{".pdf", "the same"}, map}};
+  static const Writers<NightReport> all{writer_of({".ics", "calendar"}, as_calendar),
+                                        writer_of({".csv", "moments"}, as_csv),
+                                        writer_of({".json", "moments and exposures"}, as_json),
+                                        {{".png", "map of where the eclipse is seen"}, map},
+                                        {{".svg", "the same"}, map},
+                                        {{".pdf", "the same"}, map}};
   return all;
 }
 
@@ -337,11 +330,7 @@ void run(const Options& options) {
   say_unless_danjon_is_reached(options.moon.light.request.air,
                                almanac::sky_at(night.circumstances().eclipse.greatest));
   write_files(night, options.outputs, writers());
-  if (options.json) {
-    auto document = as_json(night);
-    if (!options.outputs.empty()) document["files"] = options.outputs;
-    return fmt::print("{}\n", document.dump(2));
-  }
+  if (options.json) return print_json(as_json(night), options.outputs);
   if (options.csv) return fmt::print("{}", as_csv(night));
   print(night);
   print_names(options.outputs);

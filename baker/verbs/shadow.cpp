@@ -79,20 +79,6 @@ uses::ProfilePlaces places_of(const Options& options) {
   return places;
 }
 
-std::string as_csv(const uses::ShadowProfile& profile) {
-  std::string text = "axis_distance_km";
-  for (const double nm : profile.wavelengths_nm)
-    text += fmt::format(",irradiance_ratio_{:g}nm,standard_error_{:g}nm", nm, nm);
-  text += '\n';
-  for (std::size_t d = 0; d < profile.axis_distances_m.size(); ++d) {
-    text += fmt::format("{:g}", profile.axis_distances_m[d] / 1e3);
-    for (std::size_t w = 0; w < profile.wavelengths_nm.size(); ++w)
-      text += fmt::format(",{:.6g},{:.3g}", profile.ratio(d, w), profile.standard_error(d, w));
-    text += '\n';
-  }
-  return text;
-}
-
 /// Profile of the shadow, as a file of any format has it.
 struct Profile {
   double moon_distance_km = 0, sun_distance_km = 0;
@@ -112,19 +98,30 @@ void describe(Field&& is, const Profile& profile) {
   describe(is, profile.light);
 }
 
+std::string as_csv(const Profile& all) {
+  const auto& profile = all.light;
+  std::string text = "axis_distance_km";
+  for (const double nm : profile.wavelengths_nm)
+    text += fmt::format(",irradiance_ratio_{:g}nm,standard_error_{:g}nm", nm, nm);
+  text += '\n';
+  for (std::size_t d = 0; d < profile.axis_distances_m.size(); ++d) {
+    text += fmt::format("{:g}", profile.axis_distances_m[d] / 1e3);
+    for (std::size_t w = 0; w < profile.wavelengths_nm.size(); ++w)
+      text += fmt::format(",{:.6g},{:.3g}", profile.ratio(d, w), profile.standard_error(d, w));
+    text += '\n';
+  }
+  return text;
+}
+
+result::Json as_json(const Profile& profile) { return result::as_json(profile); }
+
 /// Tables, then plots.
 const Writers<Profile>& writers() {
-  using File = std::filesystem::path;
   static const Writers<Profile> all = [] {
-    Writers<Profile> formats{{{".csv", "numbers"},
-                              [](const Profile& profile, const File& file) {
-                                files::write_whole(file, as_csv(profile.light));
-                              }},
-                             {{".json", "numbers"}, [](const Profile& profile, const File& file) {
-                                files::write_whole(file, result::as_json(profile).dump(2) + "\n");
-                              }}};
+    Writers<Profile> formats{writer_of({".csv", "numbers"}, as_csv),
+                             writer_of({".json", "numbers"}, as_json)};
     for (const auto& plot : uses::plot_files())
-      formats.push_back({plot, [](const Profile& profile, const File& file) {
+      formats.push_back({plot, [](const Profile& profile, const std::filesystem::path& file) {
                            uses::write_shadow_plot(file, profile.light, profile.marks);
                          }});
     return formats;
@@ -155,12 +152,11 @@ void make_profile(const Options& options, const Cut& cut, const uses::ShadowCut&
       uses::marks_of(arrangement, cut.sky, title_of(cut, air_in_words, options.moment.calendar))};
   write_files(profile, options.outputs, writers());
   if (options.json) {
-    auto document = result::as_json(profile);
-    if (!options.outputs.empty()) document["files"] = options.outputs;
+    auto document = as_json(profile);
     document["seconds"] = seconds_since(start);
-    return fmt::print("{}\n", document.dump(2));
+    return print_json(document, options.outputs);
   }
-  if (options.outputs.empty()) return fmt::print("{}", as_csv(profile.light));
+  if (options.outputs.empty()) return fmt::print("{}", as_csv(profile));
   for (const auto& file : options.outputs)
     fmt::print("{}: {} distances to {:g} km, {} wavelengths\n", one_line(file),
                profile.light.axis_distances_m.size(), profile.light.axis_distances_m.back() / 1e3,

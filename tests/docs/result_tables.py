@@ -36,9 +36,10 @@ def rows(fields, before=""):
 def tables(description):
     page = MARK
     for command in description["commands"]:
+        page += f"\n## {command['name']}\n" if "documents" in command else ""
         for document in command.get("documents", []):
-            several = "A list of such objects. " if document["many"] else ""
-            page += f"\n### {command['name']}\n\n{several}{document['meaning']}\n\n"
+            several = "A list; each is: " if document["many"] else ""
+            page += f"\n{several}{document['meaning']}\n\n"
             page += "| key | value | unit | meaning |\n| --- | --- | --- | --- |\n"
             page += "".join(rows(document["fields"]))
     return page

@@ -4,24 +4,25 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "almanac/calendar.h"
 #include "files/standard_streams.h"
+#include "result/as_json.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
 
 namespace coppermoon::verbs {
 namespace {
 
-using nlohmann::ordered_json;
-
 void say(const std::string& line) {
   fmt::print("{}\n", line);
   std::fflush(stdout);
 }
 
-void say(const ordered_json& event) { say(event.dump()); }
+template <result::Described Event>
+void say(const Event& event) {
+  say(result::as_json(event).dump());
+}
 
 }  // namespace
 
@@ -42,10 +43,7 @@ double FilmProgress::seconds() const {
 
 void FilmProgress::light(bool kept, double seconds) const {
   if (json_)
-    say({{"event", "light"},
-         {"kept", kept},
-         {"seconds", seconds},
-         {"error", film_.light->error_found}});
+    say(LightEvent{kept, seconds, film_.light->error_found});
   else if (!on_terminal_)
     say(fmt::format("light: {}, {}", kept ? "kept" : "made in " + duration(seconds),
                     within(film_.light->error_found)));
@@ -63,14 +61,9 @@ void FilmProgress::tell(const uses::MadeFrame& frame, bool kept) {
   const auto instant =
       almanac::utc_text(film_.moments.at(frame.frame), film_.moments.eclipse.calendar);
   if (json_) {
-    ordered_json event{{"event", "frame"}, {"frame", frame.frame}, {"instant", instant},
-                       {"kept", kept},     {"done", done_},        {"of", frames_}};
-    if (!kept) event["developed_again"] = frame.developed_again;
-    if (frame.exposures) {
-      event["exposure_time_s"] = frame.exposures->shorter.time_s;
-      if (frame.exposures->longer_s) event["longer_exposure_time_s"] = *frame.exposures->longer_s;
-    }
-    for (const auto& path : film_.files(frame.frame)) event["files"].push_back(path.string());
+    FrameEvent event{frame.frame, instant, kept, done_, frames_, {}, frame.exposures, {}};
+    if (!kept) event.developed_again = frame.developed_again;
+    for (const auto& path : film_.files(frame.frame)) event.files.push_back(path.string());
     say(event);
   } else if (on_terminal_) {
     draw();
@@ -95,7 +88,7 @@ void FilmProgress::draw() {
 
 void FilmProgress::file(const std::filesystem::path& path) {
   if (json_)
-    say({{"event", "file"}, {"file", path.string()}});
+    say(FileEvent{path.string()});
   else
     say((on_terminal_ ? "\r\033[K" : "") + one_line(path.string()));
 }
@@ -103,11 +96,7 @@ void FilmProgress::file(const std::filesystem::path& path) {
 void FilmProgress::done() const {
   const auto kept = done_ - made_ - developed_again_;
   if (json_)
-    say({{"event", "done"},
-         {"made", made_},
-         {"kept", kept},
-         {"developed_again", developed_again_},
-         {"seconds", seconds()}});
+    say(DoneEvent{made_, kept, developed_again_, seconds()});
   else
     say(fmt::format(
         "{}{}: {} frames made,{} {} kept, in {}", on_terminal_ ? "\r\033[K" : "",

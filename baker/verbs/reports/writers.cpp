@@ -20,6 +20,11 @@ void print_names(const std::vector<std::string>& names) {
   for (const auto& name : names) fmt::print("{}\n", one_line(name));
 }
 
+void print_json(result::Json document, const std::vector<std::string>& files) {
+  if (!files.empty()) document["files"] = files;
+  fmt::print("{}\n", document.dump(2));
+}
+
 almanac::Instant now() {
   return almanac::instant_from_utc(fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))));
 }

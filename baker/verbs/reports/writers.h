@@ -12,6 +12,7 @@
 #include "almanac/instant.h"
 #include "files/endings.h"
 #include "files/whole_file.h"
+#include "result/as_json.h"
 #include "verbs/flags/flags.h"
 
 namespace coppermoon::verbs {
@@ -25,6 +26,25 @@ struct Writer : files::Ending {
 /// Formats of a command's files, as its help lists them.
 template <class Result>
 using Writers = std::vector<Writer<Result>>;
+
+/// Writer of a text: a table.
+template <class Result>
+Writer<Result> writer_of(files::Ending ending, std::string (*text)(const Result&)) {
+  return {std::move(ending), [text](const Result& result, const std::filesystem::path& file) {
+            files::write_whole(file, text(result));
+          }};
+}
+
+/// Writer of a document.
+template <class Result>
+Writer<Result> writer_of(files::Ending ending, result::Json (*document)(const Result&)) {
+  return {std::move(ending), [document](const Result& result, const std::filesystem::path& file) {
+            files::write_whole(file, document(result).dump(2) + "\n");
+          }};
+}
+
+/// Prints a document on stdout, with the names of files that were written beside.
+void print_json(result::Json document, const std::vector<std::string>& files = {});
 
 /// Adds -o: files of a result, whose endings choose their writers.
 template <class Result>
