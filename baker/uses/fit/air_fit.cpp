@@ -43,11 +43,11 @@ Axes axes_over(Unknowns unknowns, const AirRange& range) {
 
 /// Range in which the light of all data sets is known.
 AirRange range_of(std::span<const DataSet> data) {
-  auto range = data.front().light->range();
+  auto range = data.front().light.range();
   for (const auto& set : data)
     for (std::size_t a = 0; a < range.size(); ++a) {
-      range[a][0] = std::max(range[a][0], set.light->range()[a][0]);
-      range[a][1] = std::min(range[a][1], set.light->range()[a][1]);
+      range[a][0] = std::max(range[a][0], set.light.range()[a][0]);
+      range[a][1] = std::min(range[a][1], set.light.range()[a][1]);
     }
   return range;
 }
@@ -92,7 +92,7 @@ std::vector<double> values_on(const std::vector<double>& axis, const Unknown& un
 
 Evaluation evaluated(const Axes& axes, std::span<const DataSet> data,
                      const algebra::Progress& progress) {
-  const auto& unknowns = unknowns_of(data.front().light->unknowns());
+  const auto& unknowns = unknowns_of(data.front().light.unknowns());
   const auto aerosols = values_on(axes[0], unknowns[0]), clouds = values_on(axes[1], unknowns[1]),
              ozones = values_on(axes[2], unknowns[2]);
   const auto rows = aerosols.size() * ozones.size();
@@ -102,7 +102,7 @@ Evaluation evaluated(const Axes& axes, std::span<const DataSet> data,
   tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t row) {
     const double aerosol = aerosols[row / ozones.size()], ozone = ozones[row % ozones.size()];
     for (std::size_t d = 0; d < data.size(); ++d)
-      add_over_cloud(data[d], data[d].light->over_cloud(aerosol, ozone), clouds,
+      add_over_cloud(data[d], data[d].light.over_cloud(aerosol, ozone), clouds,
                      all.chi_squared.row(row), all.clocks[d].row(row));
     progress(static_cast<double>(++done) / static_cast<double>(rows));
   });
@@ -197,7 +197,7 @@ AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progre
   AirFit result;
   for (const auto& set : data) result.measurements += set.count;
   const double freedom = freedom_of(result.measurements);
-  result.unknowns = data.front().light->unknowns();
+  result.unknowns = data.front().light.unknowns();
   auto axes = axes_over(result.unknowns, range_of(data));
   for (std::size_t look = 1;; ++look) {
     const auto [chi_squared, clocks] = evaluated(axes, data, [&](double part) {

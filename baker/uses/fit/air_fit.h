@@ -20,7 +20,7 @@ struct GoodnessOfFit {
 
 /// Measurements of one night, or of one moment's magnitudes.
 struct DataSet {
-  const FittedLight* light;
+  FittedLight light;
   std::function<GoodnessOfFit(const algebra::Grid<double>& light)> goodness;  ///< of light in bins
   std::size_t count;                                                          ///< of measurements
 };

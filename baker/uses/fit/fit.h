@@ -70,6 +70,14 @@ struct ReadPhotograph {
 /// Message of an error, without the file's name that it begins with.
 std::string reason_without_name(const std::string& file, const algebra::Error& error);
 
+/// Why a night is looked at again with what was found.
+enum class Again {
+  no,            ///< nothing of it would change
+  in_its_air,    ///< its photographs were registered in usual air
+  by_its_curve,  ///< its photographs were read by a tone curve that has changed
+  nearby         ///< its light is computed at nodes too far from the air found
+};
+
 /// Camera of one night, as found.
 struct FittedNight {
   std::vector<std::size_t> photographs;  ///< of the request
@@ -79,6 +87,7 @@ struct FittedNight {
   std::optional<colour::ToneCurve> curve;
   std::vector<MeasuredLight> light;  ///< in order of distance
   std::vector<Misfit> misfits;       ///< photographs of the request
+  std::vector<Again> turns;          ///< why it was looked at again, each time
 };
 
 /// Air that was found, and the photographs and cameras that it is from.

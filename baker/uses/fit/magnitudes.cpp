@@ -160,15 +160,14 @@ std::vector<MeasuredMagnitude> read_magnitudes(const std::string& file) {
   return all;
 }
 
-MagnitudeData data_of(const MoonRequest& moon, Unknowns unknowns, const almanac::SkyState& sky,
-                      const std::vector<MeasuredMagnitude>& of_one_instant,
-                      const algebra::Progress& progress) {
+DataSet data_of(const MoonRequest& moon, Unknowns unknowns, const almanac::SkyState& sky,
+                const std::vector<MeasuredMagnitude>& of_one_instant,
+                const algebra::Progress& progress) {
   require_eclipse(sky.when);
   const auto meter = photometer();
   const LitBins whole_disc{meter.weights, places_of(moon, sky), 1};
-  auto light =
-      std::make_unique<const FittedLight>(moon.light, unknowns, std::span(&sky, 1),
-                                          std::span(&whole_disc, 1), FittedAirs::fine, progress);
+  FittedLight light(moon.light, unknowns, std::span(&sky, 1), std::span(&whole_disc, 1),
+                    FittedAirs::fine, progress);
   const auto unshadowed = unshadowed_magnitudes(moon, sky, meter);
   std::vector<double> whole;
   for (std::size_t k = 0; k < meter.weights.rows(); ++k) {
@@ -187,8 +186,7 @@ MagnitudeData data_of(const MoonRequest& moon, Unknowns unknowns, const almanac:
     }
     return GoodnessOfFit{sum};
   };
-  const auto* fitted = light.get();
-  return {std::move(light), {fitted, goodness, of_one_instant.size()}};
+  return {std::move(light), goodness, of_one_instant.size()};
 }
 
 }  // namespace coppermoon::uses

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,28 @@ struct BinnedPhotograph {
   algebra::Grid<double> sky_errors;   ///< of the sky's light, common to the bins of a channel
   algebra::Grid<double> glow_errors;  ///< of the glow's light, common to bins and channels
   algebra::Grid<ToneSlopes> slopes;   ///< empty: linear light, no curve is in question
+};
+
+/// Photometric scale of a photograph, and its standard errors.
+struct PhotometricErrors {
+  std::optional<double> value_per_cd_m2 = {};  ///< pixel value of 1 cd/m²; without: unknown
+  double exposure_error = 0.1;  ///< of the exposure's logarithm, common to a night; 10: unknown
+  double shutter_error = 0.03;  ///< of the logarithm of this exposure beside the night's others
+  double white_balance_error = 0.03;  ///< of the logarithms of red and blue over green
+  bool white_balance_fixed = false;   ///< common to a night; else each photograph has its own
+  double place_error_km = 0;          ///< of the registration, towards the shadow's axis
+  /// of a part of the limb 30 degrees wide by its weather, in red; a fifth more in green, half more in blue
+  double weather_error = 0;
+  double mixing_error = 0;      ///< of each element of the camera's matrix off its diagonal
+  double saturation_error = 0;  ///< of the saturation of its colours, as styles of JPEG have it
+};
+
+/// A photograph in the bins of its scene.
+struct Binned {
+  std::size_t photograph = 0;  ///< of the night
+  std::shared_ptr<const FitScene> scene;
+  BinnedPhotograph light;
+  PhotometricErrors errors{};
 };
 
 /// A photograph's Moon and what is around it, shrunk by a whole factor while its disc stays half as wide again as a
