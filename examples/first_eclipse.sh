@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # From a fresh Debian machine to a photograph of an eclipsed Moon, first_eclipse.png in the current folder: installs what
-# is missing, builds, renders. Further flags go to `coppermoon still`, as --photons 1e5 for a quick one, or --trace each for
+# is missing, builds, renders. Further flags go to `coppermoon still`, as --solver literal for
 # photons stepped to the letter of the paper (minutes).
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)

@@ -232,7 +232,7 @@ cat <<'EOF'
 * Misprints are put right: Cauchy's equation (4) is 1.000272643 + 1.2288/λ² + 3.555e4/λ⁴, four times the dispersion
   of the printed one; 0.0102963 stands in the denominator of (14), Δl in (12); α is per metre.
 * The light is integrated by quadrature, in 60 bands, instead of by 10⁷ photons of 200 wavelengths: without grain,
-  in half a second. With `--solver photons --trace table --photons 1e6` these luminances are by photons: up to 3 %
+  in half a second. With `--solver photons --photons 1e6` these luminances are by photons: up to 3 %
   larger without dust, 5 % with light dust and 10 % with heavy, since the recipe smooths photons by 100 km. Nor is a
   ray bent by the one-sided difference of (3), which bends it 0.06 % too little.
 * Exposure is absolute: a pixel is white where ISO 12232 says that the sensor saturates. How its exposures were

@@ -17,12 +17,23 @@ echo '| eclipse | response | least red over blue | at [km] | red below blue, wid
 echo '| --- | --- | ---: | ---: | ---: |'
 for day in 2008-02-21 2018-07-27; do
   for response in colorimetric canon-eos-600d canon-eos-5d-mark-iii sony-ilce-7m3 nikon-d850; do
-    "$coppermoon" shadow $day --lookup "$work/rim.exr" --response $response "$@" > "$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
-    oiiotool "$work/rim.exr" --resize:filter=box 1024x1 -o "$work/row.exr"
-    oiiotool --info --dumpdata "$work/row.exr" | awk -v day=$day -v response=$response -v step="$(sed -n 's/.*"step_km": \([0-9.]*\).*/\1/p' "$work/rim.json")" \
-      -v depth="$(sed -n 's/.*"depth_km": \([0-9.]*\).*/\1/p' "$work/rim.json")" '
+    "$coppermoon" shader "$day greatest" -o "$work/rim" --response $response "$@" > "$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
+    number() { sed -n "s/.*\"$1\": \([0-9.]*\).*/\1/p" "$work/rim/eclipse.json"; }
+    four() { tr -d ' \n' < "$work/rim/eclipse.json" | sed "s/.*\"$1\":\[\([^]]*\)\].*/\1/"; }
+    columns=$(number columns)
+    oiiotool "$work/rim/eclipse.exr" --cut "${columns}x$(number sectors)+0+0" --dup --mul --resize:filter=box "${columns}x1" -o "$work/row.exr"
+    oiiotool --info --dumpdata "$work/row.exr" | awk -v day=$day -v response=$response -v stretches="$(four stretches)" \
+      -v ends="$(four ends_km)" -v depth="$(number middle_km)" '
+      BEGIN {
+        split(stretches, count, ","); split(ends, end, ",")
+        for (s = 1; s <= 4; ++s) {
+          from = s > 1 ? end[s - 1] : 0
+          for (i = 0; i < count[s]; ++i) at[nodes++] = from + (end[s] - from) * i / count[s]
+        }
+        from = 0
+      }
       /Pixel/ {
-        km = n++ * step; red = $4; blue = $6
+        km = at[n++]; red = $4; blue = $6
         if (km < 2500 || km > 5600 || blue <= 0) next
         if (!least || red / blue < least) { least = red / blue; place = km }
         if (red < blue) { if (!from) from = km; to = km }

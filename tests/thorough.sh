@@ -175,7 +175,7 @@ small_examples() {
 full_examples() {
   released coppermoon_program
   cd "$scratch"
-  "$root/examples/first_eclipse.sh" --trace each
+  "$root/examples/first_eclipse.sh" --solver literal
   "$root/examples/standard_figures.sh"
   "$root/examples/paper_figures.sh"
   "$root/examples/eclipse_brightness.sh"

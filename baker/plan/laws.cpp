@@ -25,7 +25,7 @@ struct Costs {
   double twilight = 40e-3, twilight_wavelength = 1e-3;
   double photon_wavelength = 2.2e-9;  ///< by the table, on one plane, gathered in rings alone
   double sectors_dearer = 8;          ///< gathered in sectors too
-  double photon_marched = 14e-6, photon_step_by_step = 163e-6;
+  double photon_literal = 163e-6;
   double together = 1.75;  ///< time of light over the sum of its estimated parts
   double start = 0.22;   ///< of the program, its map and images' libraries, where a texture is made
   double texel = 48e-9;  ///< lit and written
@@ -37,7 +37,7 @@ constexpr double scattered_error = 3e-3;
 
 /// Relative error of luminance by a single photon: two standard errors in the worst ring of 50 km.
 /// The error falls as the root of the number of photons.
-double noise(Method method) { return method == Method::step_by_step ? 250 : 35; }
+double noise(Solver solver) { return solver == Solver::literal ? 250 : 35; }
 
 /// Number of sectors in which photons are gathered; 1 where light is symmetric about the axis.
 double sectors(const Work& work, const Scene& scene) {
@@ -126,9 +126,9 @@ double predicted_error(const Work& work, const Scene& scene) {
   if (!work.regions && scene.columns > 1) error += scene.without_regions;
   if (!work.refracted) return error + scene.without_refracted;
   const double everywhere = law(law_of_bands, work.bands) + law(law_of_planes, work.planes);
-  if (work.method != Method::quadrature)
+  if (traces_photons(work.solver))
     return error + share * (everywhere +
-                            noise(work.method) * std::sqrt(sectors(work, scene) / work.photons));
+                            noise(work.solver) * std::sqrt(sectors(work, scene) / work.photons));
   const double knobs = everywhere + law(law_of_rays, work.rays) +
                        (scene.limb_darkening ? law(law_of_sun_terms, work.sun_terms) : 0) +
                        law(law_of_place_error, work.place_error);
@@ -141,14 +141,13 @@ double predicted_seconds(const Work& work, const Scene& scene, const Machine& ma
   if (work.scattered_light)
     light += cost.twilight + cost.twilight_wavelength * std::min(work.bands, 80);
   light += seconds_of_check(work, scene);
-  if (work.refracted && work.method == Method::quadrature) {
+  if (work.refracted && work.solver == Solver::quadrature) {
     light += seconds_of_quadrature(work, scene, distances(work, scene));
   } else if (work.refracted) {
     const double dearer = sectors(work, scene) > 1 ? cost.sectors_dearer : 1;
-    const double by_wavelength = dearer * cost.photon_wavelength * work.bands * work.planes;
-    const double a_photon = work.method == Method::step_by_step ? cost.photon_step_by_step
-                            : work.method == Method::marched ? cost.photon_marched + by_wavelength
-                                                             : by_wavelength;
+    const double a_photon = work.solver == Solver::literal
+                                ? cost.photon_literal
+                                : dearer * cost.photon_wavelength * work.bands * work.planes;
     light += 0.05 + work.photons * a_photon;
   }
   const double map = scene.map_file ? cost.map_file : 0;  // read by one core

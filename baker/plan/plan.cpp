@@ -66,12 +66,12 @@ std::vector<double> doubled(double from, double to) {
 }
 
 std::vector<Knob> knobs(double tolerance, const Scene& scene, const ByHand& by_hand,
-                        Method method) {
+                        Solver solver) {
   auto all = switches(tolerance, scene, by_hand);
   // from 24 up multiples of eight, which are computed together
   all.push_back(knob({10, 24, 32, 48, 80, 200, 400}, by_hand.bands, &Work::bands));
   all.push_back(knob({1, 2, 3, 5, 9}, by_hand.planes, &Work::planes));
-  if (method != Method::quadrature) {
+  if (traces_photons(solver)) {
     all.push_back(knob({1000}, by_hand.rays, &Work::rays));
     all.push_back(knob(doubled(1024, 1e12), by_hand.photons, &Work::photons));
     return all;
@@ -88,9 +88,9 @@ std::vector<Knob> knobs(double tolerance, const Scene& scene, const ByHand& by_h
 /// Greedy refinement of the coarsest work.
 class Refinement {
  public:
-  Refinement(double tolerance, const Scene& scene, const ByHand& by_hand, Method method)
-      : scene_(scene), knobs_(knobs(tolerance, scene, by_hand, method)), at_(knobs_.size()) {
-    work_.method = method;
+  Refinement(double tolerance, const Scene& scene, const ByHand& by_hand, Solver solver)
+      : scene_(scene), knobs_(knobs(tolerance, scene, by_hand, solver)), at_(knobs_.size()) {
+    work_.solver = solver;
     for (const auto& knob : knobs_) knob.turn(work_, knob.settings.front());
   }
 
@@ -164,9 +164,9 @@ std::vector<LeftOut> left_out(const Work& work, const Scene& scene) {
   return all;
 }
 
-Plan plan_with(Method method, double tolerance, const Scene& scene, const Machine& machine,
+Plan plan_with(Solver solver, double tolerance, const Scene& scene, const Machine& machine,
                const ByHand& by_hand) {
-  Refinement refinement(tolerance, scene, by_hand, method);
+  Refinement refinement(tolerance, scene, by_hand, solver);
   // settings by hand may leave more error than the tolerance; other settings need not compensate
   const double least = predicted_error(refinement.finest(), scene);
   const double goal = least > tolerance ? least + tolerance : tolerance;
@@ -182,25 +182,26 @@ Plan plan_with(Method method, double tolerance, const Scene& scene, const Machin
           {}};
 }
 
-/// Plan by the cheapest method that reaches the tolerance; where none does, by the quickest, as photons might take
-/// weeks for a tiny gain. The method is chosen as if nothing were set by hand: somebody who asks for few rays wants
+/// Plan by the cheapest solver that reaches the tolerance; where none does, by the quickest, as photons might take
+/// weeks for a tiny gain. The solver is chosen as if nothing were set by hand: somebody who asks for few rays wants
 /// a coarse quadrature instead of photons.
 Plan plan_within(double tolerance, const Scene& scene, const Machine& machine,
                  const ByHand& by_hand) {
-  const auto tried = by_hand.method ? std::span<const Method>(&*by_hand.method, 1)
-                                    : std::span<const Method>(methods);
+  const auto tried = by_hand.solver == Solver::automatic
+                         ? std::span<const Solver>(solvers)
+                         : std::span<const Solver>(&by_hand.solver, 1);
   std::vector<Plan> free;
-  for (const auto method : tried) free.push_back(plan_with(method, tolerance, scene, machine, {}));
+  for (const auto solver : tried) free.push_back(plan_with(solver, tolerance, scene, machine, {}));
   std::ranges::sort(free, {}, [&](const Plan& plan) {
     return std::pair{plan.error > tolerance, plan.seconds};
   });
   std::vector<Plan> plans;
   for (const auto& plan : free)
-    plans.push_back(plan_with(plan.work.method, tolerance, scene, machine, by_hand));
+    plans.push_back(plan_with(plan.work.solver, tolerance, scene, machine, by_hand));
   Plan best = plans.front();
   if (free.front().error > tolerance) best.misses_tolerance = true;
   for (const auto& plan : plans)
-    best.methods.push_back({plan.work.method, plan.seconds, plan.error});
+    best.methods.push_back({plan.work.solver, plan.seconds, plan.error});
   return best;
 }
 
@@ -215,13 +216,11 @@ Term term_named(std::string_view name) {
   return static_cast<Term>(found - term_names.begin());
 }
 
-std::string_view name(Method method) {
-  switch (method) {
-    case Method::table:
+std::string_view name(Solver solver) {
+  switch (solver) {
+    case Solver::table:
       return "photons by table";
-    case Method::marched:
-      return "photons marched";
-    case Method::step_by_step:
+    case Solver::literal:
       return "photons literal";
     default:
       return "quadrature";
@@ -234,7 +233,7 @@ Work finer(const Work& work) {
   Work finer;
   finer.bands = std::clamp(2 * work.bands, fine_bands, most_bands);
   finer.sun_terms = std::clamp(work.sun_terms + 1, fine_terms, most_terms);
-  finer.rays = work.method == Method::quadrature
+  finer.rays = work.solver == Solver::quadrature
                    ? std::clamp(work.rays, fine_rays / 2, most_rays / 2) * 2
                    : fine_rays;  // 3e-4: the noise of ten billion photons
   finer.planes = 1;

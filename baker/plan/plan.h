@@ -9,21 +9,23 @@
 
 namespace coppermoon::plan {
 
-/// Methods of computing refracted light: the quadrature, which has no noise; photons by a table of the limb's
-/// rays; photons marched in SIMD lanes; photons step by step, exactly as Yapo & Cutler (2009) trace them.
-enum class Method { quadrature, table, marched, step_by_step };
+/// Ways to refracted light: the quadrature, which has no noise; photons by a table of the limb's rays; literal
+/// photons, traced step by step exactly as Yapo & Cutler (2009) do; or the choice between them, left to a plan.
+enum class Solver { quadrature, table, literal, automatic };
 
-/// All methods, in order.
-inline constexpr std::array methods{Method::quadrature, Method::table, Method::marched,
-                                    Method::step_by_step};
+/// Solvers that a plan chooses from, in order.
+inline constexpr std::array solvers{Solver::quadrature, Solver::table, Solver::literal};
 
-/// Name of a method in reports: "quadrature", "photons by table", "photons marched", or "photons
-/// literal" for `Method::step_by_step`.
-std::string_view name(Method method);
+constexpr bool traces_photons(Solver solver) {
+  return solver == Solver::table || solver == Solver::literal;
+}
+
+/// Name in reports: "quadrature", "photons by table" or "photons literal".
+std::string_view name(Solver solver);
 
 /// Settings of the light on a Moon that trade accuracy against time.
 struct Work {
-  Method method = Method::quadrature;
+  Solver solver = Solver::quadrature;
   double photons = 0;            ///< number of photons; 0 with the quadrature
   bool refracted = true;         ///< light refracted by the air; off: direct sunlight alone
   bool ellipsoid = true;         ///< off: a sphere with the radius of the limb next to the Moon
@@ -43,7 +45,7 @@ Work finer(const Work& work);
 
 /// Knobs set by hand; empty ones are chosen by the plan.
 struct ByHand {
-  std::optional<Method> method{};
+  Solver solver = Solver::automatic;
   std::optional<double> photons{};
   std::optional<int> bands{}, rays{}, sun_terms{}, planes{};
   std::optional<double> place_error{};
@@ -77,9 +79,9 @@ struct Machine {
   int cores = 2;
 };
 
-/// Method considered by a plan, with its predicted time and error.
+/// Solver considered by a plan, with its predicted time and error.
 struct Alternative {
-  Method method;
+  Solver solver;
   double seconds, error;
 };
 
@@ -105,7 +107,7 @@ struct Plan {
   double tolerance = 0;  ///< for which the work was chosen
   double seconds = 0, error = 0;
   std::vector<LeftOut> left_out{};
-  std::vector<Alternative> methods{};  ///< methods considered, best first
+  std::vector<Alternative> methods{};  ///< considered, best first
   bool misses_tolerance = false;       ///< at any cost, or within the budget
   bool exceeds_budget = false;         ///< even by the coarsest work
 };
@@ -120,11 +122,11 @@ double predicted_seconds(const Work& work, const Scene& scene, const Machine& ma
 /// Accuracy  95 of 100 scenes stay within it
 double predicted_error(const Work& work, const Scene& scene);
 
-/// Plan with the cheapest work of the cheapest method whose predicted error is within the tolerance. The search is
+/// Plan with the cheapest work of the cheapest solver whose predicted error is within the tolerance. The search is
 /// greedy: it begins with the coarsest work and adds, one at a time, the refinement or the term that removes most
 /// error for its time. Where settings by hand alone exceed the tolerance, all others are chosen to stay within it. The
-/// method is chosen as if nothing were set by hand. Where no method reaches the tolerance, the quickest method is
-/// taken, refined to within the tolerance of its best. With a budget, the plan has the finest tolerance for which
+/// solver is chosen as if nothing were set by hand. Where no solver reaches the tolerance, the quickest is taken,
+/// refined to within the tolerance of its best. With a budget, the plan has the finest tolerance for which
 /// there is time, or is the coarsest work where even this exceeds the budget.
 ///
 /// Given     by_hand  its settings are kept

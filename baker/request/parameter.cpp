@@ -73,7 +73,7 @@ bool holds(const Condition& condition, const Parameter& other) {
   });
 }
 
-/// "--trace each or marched"
+/// "--solver photons or literal"
 std::string in_words(const Condition& condition, const std::string& name) {
   return condition.values.empty() ? name
                                   : fmt::format("{} {}", name, fmt::join(condition.values, " or "));

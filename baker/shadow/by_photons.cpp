@@ -15,7 +15,6 @@
 #include "photons/photon.h"
 #include "photons/solar_disc.h"
 #include "shadow/limb_landings.h"
-#include "shadow/marched_photons.h"
 #include "shadow/photon_rows.h"
 
 namespace coppermoon::shadow {
@@ -27,18 +26,13 @@ using atmosphere::Atmosphere;
 /// Number of photons whose rows are held at once.
 constexpr std::size_t batch = 32;
 
-/// Number of rays of the table from which marched photons take their aim.
-constexpr int aiming_rays = 100;
-
 /// Buffers of one thread.
 struct Workplace {
-  Tally tally;                       ///< of a block
-  std::vector<MarchedPhoton> paths;  ///< of the block's photons, where these are marched
-  MarchedRows rows;                  ///< (photon of a batch, wavelength)
-  Grid<float> landing_m;             ///< (photon of a batch, wavelength)
+  Tally tally;                   ///< of a block
+  Grid<float> light, landing_m;  ///< (photon of a batch, wavelength)
 
   Workplace(std::size_t cells, std::size_t waves)
-      : tally(cells, waves), rows(batch, waves), landing_m(rows.light) {}
+      : tally(cells, waves), light(batch, padded(waves)), landing_m(light) {}
 };
 
 /// Sums over blocks, (row of a tally, wavelength).
@@ -63,11 +57,8 @@ class Simulation {
         settings_(settings),
         optics_(optics_of(atmosphere, wavelengths_nm)),
         rings_{static_cast<float>(settings.ring_width_m), rings, settings.sectors} {
-    if (settings.trace == Trace::step_by_step) return;
-    const bool marched = settings.trace == Trace::marched;
-    landings_.emplace(atmosphere, arrangement, wavelengths_nm,
-                      marched ? aiming_rays : settings.rays);
-    if (marched) marched_.emplace(landings_->parts(), optics_, settings.marching);
+    if (!settings.literal)
+      landings_.emplace(atmosphere, arrangement, wavelengths_nm, settings.rays);
   }
 
   std::size_t rows() const { return arrangement_.depths_m.size() * rings_.rows(); }
@@ -82,7 +73,7 @@ class Simulation {
         add_block(block, work);
       else
         for (std::uint64_t i = 0; i < photons_a_block; ++i)
-          add_photon_step_by_step(block * photons_a_block + i, work.tally);
+          add_literal_photon(block * photons_a_block + i, work.tally);
       drain(work.tally, sums.sum, sums.sum_of_squares);
       tell();
     }
@@ -105,7 +96,7 @@ class Simulation {
     return std::numbers::pi * (outer * outer - inner * inner) * static_cast<double>(waves());
   }
 
-  void add_photon_step_by_step(std::uint64_t index, Tally& tally) const {
+  void add_literal_photon(std::uint64_t index, Tally& tally) const {
     algebra::Random random(settings_.seed, index);
     const auto wave =
         static_cast<std::size_t>(random.uniform() * static_cast<double>(optics_.size()));
@@ -127,20 +118,13 @@ class Simulation {
   }
 
   void add_block(std::uint64_t block, Workplace& work) const {
-    auto aims = landings_->aims(settings_.seed, block, settings_.sectors > 1);
-    if (marched_) {
-      std::ranges::sort(aims, {},
-                        [](const Aim& aim) { return std::pair(aim.part, aim.tangent_height_m); });
-      work.paths = marched_->followed(aims);
-    }
+    const auto aims = landings_->aims(settings_.seed, block, settings_.sectors > 1);
     for (std::size_t first = 0; first < aims.size(); first += batch)
-      add_photons(aims, first, std::min(batch, aims.size() - first), work);
+      add_photons(std::span(aims).subspan(first, std::min(batch, aims.size() - first)), work);
   }
 
-  void add_photons(std::span<const Aim> block, std::size_t first, std::size_t count,
-                   Workplace& work) const {
-    const auto aims = block.subspan(first, count);
-    pass(aims, first, work);
+  void add_photons(std::span<const Aim> aims, Workplace& work) const {
+    landings_->pass(aims, work.light);
     std::vector<Aside> asides(aims.size());
     for (std::size_t k = 0; k < arrangement_.depths_m.size(); ++k) {
       const double sun_m = projected_solar_radius_m(arrangement_, arrangement_.depths_m[k]);
@@ -148,21 +132,9 @@ class Simulation {
         asides[i] = {static_cast<float>(aims[i].toward.x), static_cast<float>(aims[i].toward.y),
                      static_cast<float>(sun_m * aims[i].source.x),
                      static_cast<float>(sun_m * aims[i].source.y)};
-      land(aims, k, work);
-      gather(asides, work.landing_m, work.rows.light, rings_, k * rings_.rows(), work.tally);
+      landings_->land(aims, k, work.landing_m);
+      gather(asides, work.landing_m, work.light, rings_, k * rings_.rows(), work.tally);
     }
-  }
-
-  void pass(std::span<const Aim> aims, std::size_t first, Workplace& work) const {
-    if (!marched_) return landings_->pass(aims, work.rows.light);
-    marched_->pass(std::span(work.paths).subspan(first, aims.size()), work.rows);
-    landings_->darken(aims, work.rows.light);
-  }
-
-  void land(std::span<const Aim> aims, std::size_t plane, Workplace& work) const {
-    if (!marched_) return landings_->land(aims, plane, work.landing_m);
-    shadow::land(work.rows, aims.size(), arrangement_.sun_distance_m, arrangement_.depths_m[plane],
-                 work.landing_m);
   }
 
   const Atmosphere& atmosphere_;
@@ -170,8 +142,7 @@ class Simulation {
   const PhotonSettings& settings_;
   std::vector<atmosphere::Optics> optics_;
   Rings rings_;
-  std::optional<LimbLandings> landings_;   ///< for Trace::marched and Trace::table
-  std::optional<MarchedPhotons> marched_;  ///< for Trace::marched
+  std::optional<LimbLandings> landings_;  ///< none for literal photons
 };
 
 /// Progress by blocks done.
@@ -229,7 +200,6 @@ void require_valid(const PhotonSettings& settings, const Atmosphere& atmosphere,
                    std::size_t waves) {
   algebra::require_within("photons", static_cast<double>(settings.photons), 1, 1e12);
   algebra::require_within("step [km]", settings.stepping.step_m / 1e3, 1e-3, 100);
-  algebra::require_within("step [km]", settings.marching.step_m / 1e3, 1e-3, 100);
   algebra::require_within("rays", settings.rays, 2, 1e7);
   algebra::require_within("ring width [km]", settings.ring_width_m / 1e3, 1, 2000);
   algebra::require_within("sectors", static_cast<double>(settings.sectors), 1, 1000);
@@ -250,7 +220,7 @@ PhotonSums no_photons(const Atmosphere& atmosphere, const Arrangement& arrangeme
           settings.ring_width_m,
           rings,
           settings.sectors,
-          settings.trace != Trace::step_by_step,
+          !settings.literal,
           {},
           nothing,
           nothing};

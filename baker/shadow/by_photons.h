@@ -7,27 +7,21 @@
 #include <string>
 
 #include "algebra/progress.h"
-#include "photons/march.h"
 #include "photons/trace.h"
 #include "shadow/irradiance.h"
 #include "shadow/photon_sums.h"
 
 namespace coppermoon::shadow {
 
-/// Tracing of a photon through the air. `step_by_step` traces it in three dimensions, exactly as Yapo & Cutler
-/// (2009) do (photons::trace); each photon has one random wavelength. `marched` and `table` trace all wavelengths
-/// of a photon at once, in the plane of its path: `marched` by steps through the air (photons::Marcher), `table`
-/// by a table of the limb's rays (photons::WholeLimb).
-enum class Trace { step_by_step, marched, table };
-
 /// Number of photons, their seed, and settings of tracing and gathering.
 struct PhotonSettings {
   std::uint64_t photons = 1'000'000;  ///< 1 to 1e12; rounded up to whole blocks of 1024
   std::uint64_t seed = 1;
-  Trace trace = Trace::step_by_step;
-  photons::Stepping stepping;  ///< for Trace::step_by_step
-  photons::Marching marching;  ///< for Trace::marched
-  int rays = 500;              ///< of the table, for Trace::table
+  /// traced as Yapo & Cutler (2009) do (photons::trace), in three dimensions and with one wavelength each; off: all
+  /// wavelengths of a photon at once, by a table of the limb's rays (photons::WholeLimb)
+  bool literal = false;
+  photons::Stepping stepping;  ///< of literal photons
+  int rays = 500;              ///< of the table
   double ring_width_m = 50e3;  ///< of the rings that gather photons, 1e3 to 2e6 m
   /// sectors of position angle, 1 to 1000; with 1, photons are gathered regardless of position angle
   std::size_t sectors = 1;
@@ -38,17 +32,15 @@ struct PhotonSettings {
 
 /// Refracted light by photons, for any atmosphere, as sums to which more photons can be added.
 ///
-/// Trace::step_by_step: a photon has one wavelength, drawn at random; it leaves a random point of the
+/// A literal photon has one wavelength, drawn at random; it leaves a random point of the
 /// solar disc towards a random point of the ring of air, and is gathered on every plane in the ring of axis
-/// distances (and the sector) where it lands. Trace::marched and Trace::table: a photon carries all wavelengths,
-/// and a block of photons is stratified in tangent height and in direction and distance of landing
-/// (LimbLandings). Marched photons take only their aim from a (coarse) table, whose errors raise noise alone;
-/// landing place and light follow from each photon's own ray (MarchedPhotons). With one sector each photon
-/// stands for all position angles, which requires symmetric air. Blocks are added until all are traced or, in
+/// distances (and the sector) where it lands. By the table a photon carries all wavelengths, and a block of
+/// photons is stratified in tangent height and in direction and distance of landing (LimbLandings). With one
+/// sector each photon stands for all position angles, which requires symmetric air. Blocks are added until all are traced or, in
 /// batches that double, until the stopping rule is met.
 ///
 /// Given     before   earlier sums, whose blocks are not traced again
-/// Returned  `before` and the new blocks; marched and by the table, identical bit by bit for any number of
+/// Returned  `before` and the new blocks; by the table, identical bit by bit for any number of
 ///           threads, on processors with the same vector width; memory does not grow with the number of
 ///           photons
 /// Throws    Error  when an argument is outside its range, one sector is asked for in air that differs

@@ -51,17 +51,11 @@ class LimbLandings {
   /// Given  around  whether to draw position angles; else every photon is at 0
   std::vector<Aim> aims(std::uint64_t seed, std::uint64_t block, bool around) const;
 
-  /// Parts of the limb that photons pass.
-  const std::vector<photons::WholeLimb::Part>& parts() const { return limb_.parts(); }
-
   /// Writes the light that photons carry behind the limb, by wavelength [m²], including the Sun's brightness
   /// at their source.
   ///
   /// Given  light  at least as many rows as aims
   void pass(std::span<const Aim> aims, algebra::Grid<float>& light) const;
-
-  /// Multiplies light by the Sun's brightness at each photon's source, by wavelength.
-  void darken(std::span<const Aim> aims, algebra::Grid<float>& light) const;
 
   /// Writes signed axis distances of landing, by wavelength, as if photons came from the Sun's centre.
   void land(std::span<const Aim> aims, std::size_t plane, algebra::Grid<float>& landing_m) const;
@@ -86,6 +80,7 @@ class LimbLandings {
   std::optional<Aim> aim(std::span<const double> point, bool around) const;
   std::size_t part_at(double position_angle_rad, double uniform) const;
   void darken_limb(std::span<const double> wavelengths_nm);
+  void darken(std::span<const Aim> aims, algebra::Grid<float>& light) const;
 
   photons::WholeLimb limb_;
   Arrangement arrangement_;

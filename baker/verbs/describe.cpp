@@ -11,6 +11,7 @@
 #include "uses/light/header.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/guide.h"
+#include "verbs/flags/verb.h"
 
 namespace coppermoon::verbs {
 namespace of_describe {
@@ -54,7 +55,7 @@ Json as_json(const request::Condition& condition) {
   return json;
 }
 
-/// Dependence of an effect: {"only_with": [{"name": "trace", "values": ["each"]}]}.
+/// Dependence of an effect: {"only_with": [{"name": "solver", "values": ["literal"]}]}.
 Json as_json(const request::Relation& relation) {
   auto conditions = Json::array();
   for (const auto& condition : relation.conditions) conditions.push_back(as_json(condition));
@@ -87,8 +88,11 @@ Json as_json(const Parameter& parameter) {
 Json as_json(const CLI::App& verb) {
   auto parameters = Json::array();
   for (const auto& parameter : parameters_of(verb)) parameters.push_back(as_json(parameter));
-  return {
+  Json json{
       {"name", verb.get_name()}, {"meaning", verb.get_description()}, {"parameters", parameters}};
+  for (const auto& document : dynamic_cast<const Verb&>(verb).documents)
+    json["documents"].push_back(result::as_json(document));
+  return json;
 }
 
 /// "0 to 1000 DU", "on, off"; where neither is known, the kind.

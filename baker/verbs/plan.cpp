@@ -65,11 +65,11 @@ void print(const Planned& all) {
   const auto& work = plan.work;
   if (!work.refracted)
     fmt::print("light       direct sunlight alone\n");
-  else if (work.method == plan::Method::quadrature)
+  else if (work.solver == plan::Solver::quadrature)
     fmt::print("light       quadrature: {} wavelengths, {} rays, {} of the Sun's terms\n",
                work.bands, work.rays, work.sun_terms);
   else
-    fmt::print("light       {}: {:.2g} photons, {} wavelengths\n", name(work.method), work.photons,
+    fmt::print("light       {}: {:.2g} photons, {} wavelengths\n", name(work.solver), work.photons,
                work.bands);
   if (work.refracted)
     fmt::print("            {} plane{} across the Moon's depth, {} between places\n", work.planes,
@@ -85,7 +85,7 @@ void print(const Planned& all) {
   fmt::print("predicted   {}, {}\n", duration(plan.seconds), within(plan.error));
   for (std::size_t i = 1; i < plan.methods.size(); ++i)
     fmt::print("or          {} by {}, {}\n", duration(plan.methods[i].seconds),
-               name(plan.methods[i].method), within(plan.methods[i].error));
+               name(plan.methods[i].solver), within(plan.methods[i].error));
   if (plan.exceeds_budget)
     fmt::print("not reached budget: {} are predicted\n", duration(plan.seconds));
   if (plan.misses_tolerance)

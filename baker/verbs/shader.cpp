@@ -31,7 +31,7 @@ const request::Words<colour::WorkingSpace> spaces{
     {"lin_ciexyzd65_scene", colour::WorkingSpace::ciexyz_d65}};
 
 struct Options {
-  FilmOptions film;  ///< eclipse and calendar alone
+  MomentOptions moment;  ///< a day: of its whole eclipse
   std::string output;
   LightOptions light;
   uses::ShaderRequest request;
@@ -44,11 +44,18 @@ void run(const CLI::App& verb, Options options) {
     throw algebra::Error(fmt::format("{}: is no directory", one_line(options.output)));
   const auto start = std::chrono::steady_clock::now();
   options.request.light = light_request(options.light);
-  const auto eclipse = eclipse_of(options.film);
-  say_unless_danjon_is_reached(options.request.light.air, almanac::sky_at(eclipse.greatest));
+  const bool whole = eclipse::is_day(options.moment.text);
+  std::optional<almanac::Instant> moment;
+  if (!whole) moment = instant_of(options.moment);
+  const auto eclipse =
+      whole ? eclipse_of({.eclipse = options.moment.text, .calendar = options.moment.calendar})
+            : eclipse::nearest_eclipse(*moment, eclipse::ShadowConvention::danjon);
+  const auto when = moment.value_or(eclipse.greatest);
+  uses::require_eclipse(when, {}, options.moment.calendar);
+  say_unless_danjon_is_reached(options.request.light.air, almanac::sky_at(when));
   const auto shader = [&] {
     ProgressBar bar("light");
-    return uses::eclipse_shader(eclipse, options.request, bar.progress());
+    return uses::eclipse_shader(eclipse, options.request, bar.progress(), moment);
   }();
   const auto files = uses::write_shader(folder, shader, options.request, recipe_of(verb));
   if (options.json)
@@ -71,9 +78,10 @@ void add_shader(CLI::App& program) {
                         "writes an eclipse as one small image and a shader that knows the time, "
                         "for OSL, GLSL, MaterialX, POV-Ray and Blender");
   const auto options = std::make_shared<Options>();
-  add_flag(*verb, "eclipse,--eclipse", options->film.eclipse, "day of the eclipse, as 2018-07-27")
+  add_flag(*verb, "eclipse,--eclipse", options->moment.text,
+           "day of the eclipse, as 2018-07-27; or the one moment to show, as 2018-07-27T18:50Z")
       .required();
-  add_calendar_option(*verb, options->film.calendar);
+  add_calendar_option(*verb, options->moment.calendar);
   add_flag(*verb, "-o,--output", options->output,
            "folder for the strip, eclipse.exr, and the shaders that read it")
       .writes_folder()

@@ -8,13 +8,10 @@
 #include "algebra/error.h"
 #include "algebra/number.h"
 #include "almanac/calendar.h"
-#include "colour/camera_spectra.h"
 #include "eclipse/shadow_axis.h"
 #include "files/endings.h"
 #include "files/whole_file.h"
 #include "uses/light/shadow_profile.h"
-#include "uses/light/shadow_strip.h"
-#include "uses/picture/picture_parameters.h"
 #include "uses/picture/shadow_plot.h"
 #include "uses/plot/plot.h"
 #include "verbs/command_line.h"
@@ -31,10 +28,9 @@ namespace {
 
 struct Options {
   MomentOptions moment;
-  std::string lookup, wavelengths = "450,550,650", axis_distances;
+  std::string wavelengths = "450,550,650", axis_distances;
   std::vector<std::string> outputs;
   LightOptions light;
-  std::optional<std::string> response;
   std::optional<double> moon_distance_km, sun_distance_km, position_angle_deg;
   bool json = false;
 };
@@ -115,7 +111,7 @@ nlohmann::ordered_json as_json(const uses::ShadowProfile& result, const uses::Li
                                const shadow::Arrangement& arrangement) {
   return {{"moon_distance_km", arrangement.depths_m[0] / 1e3},
           {"sun_distance_km", arrangement.sun_distance_m / 1e3},
-          {"solver", light.solver == uses::Solver::photons ? "photons" : "quadrature"},
+          {"solver", plan::traces_photons(light.solver) ? "photons" : "quadrature"},
           {"wavelengths_nm", result.wavelengths_nm},
           {"axis_distance_km", in_kilometres(result.axis_distances_m)},
           {"irradiance_ratio", rows_of(result.ratio)},
@@ -153,9 +149,6 @@ std::vector<Format> formats() {
 }
 
 void require_sound(const Options& options) {
-  if (options.response) colour::require_spectral(*options.response);
-  if (options.response && options.lookup.empty())
-    throw algebra::Error("response: allowed with --lookup, which alone has colours");
   for (const std::filesystem::path file : options.outputs) {
     files::format_of(file, formats(), "a profile of the shadow");
     files::require_place_for(file);
@@ -169,23 +162,6 @@ std::string title_of(const Cut& cut, const std::string& air, almanac::Calendar c
   const auto when =
       almanac::date_text(cut.sky->when, calendar) + " " + almanac::time_of_day_text(cut.sky->when);
   return fmt::format("The Earth's shadow on {} UTC, {}\n{}", when, distance, air);
-}
-
-/// Writes the look-up strip. Without a distance its plane cuts the Moon's near half in the middle.
-void make_lookup(const Options& options, uses::StripShadow shadow, const uses::LightRequest& light,
-                 const std::string& recipe) {
-  if (!options.moon_distance_km)
-    shadow.arrangement.depths_m[0] -= algebra::in_metres(almanac::lunar_radius) / 2;
-  const auto facts = [&] {
-    ProgressBar bar("light");
-    return uses::write_shadow_strip(options.lookup, shadow, light, recipe, bar.progress());
-  }();
-  if (options.json)
-    fmt::print("{}\n", facts.dump(2));
-  else
-    fmt::print("{}: {} x {} texels, {:.2f} km each, to {:.0f} km from the axis\n", options.lookup,
-               facts["columns"].get<int>(), facts["rows"].get<int>(),
-               facts["step_km"].get<double>(), facts["end_km"].get<double>());
 }
 
 void make_profile(const Options& options, const Cut& cut, const uses::ShadowCut& shadow,
@@ -221,8 +197,6 @@ void run(const CLI::App& verb, const Options& options) {
   if (light.by_hand.terms && !cut.sky) air = uses::air_for(*light.by_hand.terms, {.air = air});
   if (cut.sky) say_unless_danjon_is_reached(light.air, *cut.sky);
   const uses::ShadowCut shadow{air, uses::arrangement_of(light, cut.sun_distance_m, {cut.depth_m})};
-  if (!options.lookup.empty())
-    return make_lookup(options, {shadow, cut.sky, options.response}, light, recipe_of(verb));
   make_profile(options, cut, shadow, light, uses::air_in_words(parameters_of(verb)));
 }
 
@@ -236,11 +210,9 @@ void add_shadow(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   add_moment_options(*verb, options->moment, "; for the distances and the air of that moment");
   add_flag(*verb, "--wavelengths", options->wavelengths,
-           "wavelengths [nm], 380 to 780, with commas between")
-      .not_beside({{"lookup"}});
+           "wavelengths [nm], 380 to 780, with commas between");
   add_flag(*verb, "--axis-distances", options->axis_distances,
-           "distances from the shadow's axis [km], increasing, with commas between")
-      .not_beside({{"lookup"}});
+           "distances from the shadow's axis [km], increasing, with commas between");
   add_flag(*verb, "--moon-distance-km", options->moon_distance_km,
            "distance of the Moon from the Earth's centre along the shadow's axis [km], 1e5 to 1e6")
       .within(1e5, 1e6);
@@ -250,28 +222,19 @@ void add_shadow(CLI::App& program) {
   add_flag(*verb, "--position-angle", options->position_angle_deg,
            "position angle about the axis, from celestial north through east [degrees], 0 to 360; "
            "default: the mean over all angles")
-      .within(0, 360)
-      .not_beside({{"lookup"}});
+      .within(0, 360);
   add_flag(*verb, "-o,--output", options->outputs,
            "file in place of stdout: " + files::in_words(formats()) + ". May be given again")
       .writes_file(formats())
       .kept_each_time();
-  add_flag(*verb, "--lookup", options->lookup,
-           "strip for shaders, .exr or .cube, with a .json beside it: light over sunlight in "
-           "linear Rec.709, by distance from the axis and position angle")
-      .writes_file()
-      .excludes("--output");
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_light_options(*verb, options->light);
   add_photon_file_options(*verb, options->light);
-  add_described(*verb, options->response, uses::describe_response);
   auto& all = parameters_of(*verb);
-  for (const char* of_a_moon : {"planes", "place-error", "budget"})
+  for (const char* of_a_moon : {"bands", "planes", "place-error", "budget"})
     all.find(of_a_moon)->only_with({});
-  for (const char* of_photons :
-       {"trace", "photons", "seed", "step-km", "precision", "ring-km", "smoothing-km"})
-    all.find(of_photons)->only_with({{"solver", {"photons"}}, {"quality", {"paper"}}});
-  all.find("bands")->only_with({{"lookup"}});
+  for (const char* of_photons : {"photons", "seed", "ring-km", "smoothing-km"})
+    all.find(of_photons)->only_with({{"solver", {"photons", "literal"}}, {"quality", {"paper"}}});
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

@@ -157,7 +157,7 @@ void add_tradeoff(CLI::App& program) {
       .writes_folder()
       .required();
   add_flag(*verb, "--only", options->only, "method to measure alone. May be given again")
-      .one_of(uses::method_names())
+      .one_of(uses::solver_names())
       .one_value_each_time();
   add_flag(
       *verb, "--longest", options->longest_s,

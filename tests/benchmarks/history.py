@@ -42,8 +42,8 @@ COMMANDS = {
     YARDSTICK: "oiiotool bake.exr --compression piz -o again.exr",
     "month": f"coppermoon bake {DATE} {SMALL} -o light.exr",
     "undated": f"coppermoon bake {DATE} {SMALL} --atmosphere undated -o light.exr",
-    "bands": f"coppermoon shadow {DATE} --lookup strip.exr {BANDS}",
-    "no bands": f"coppermoon shadow {DATE} --lookup strip.exr",
+    "bands": f"coppermoon shader {DATE} -o shader {BANDS}",
+    "no bands": f"coppermoon shader {DATE} -o shader",
     "still": f"coppermoon still {STILL} -o still.png",
     "povray": "povray eclipse.ini +Oagain.exr -D -P -V",  # and the window that `still` asked for
     "explore": "coppermoon explore 2018-07-27 -o page.html",
@@ -53,7 +53,7 @@ COMMANDS = {
 RATIOS = [  # name, what is timed, what it is over, what is taken off first
     ("bake of 4096 texels / oiiotool rewriting it", "bake", YARDSTICK, None),
     ("light in the air of a month / undated", "month", "undated", None),
-    ("shadow --lookup, six bands of latitude / none", "bands", "no bands", None),
+    ("shader of a moment, six bands of latitude / none", "bands", "no bands", None),
     ("still 1080p beyond POV-Ray / yardstick", "still", YARDSTICK, "povray"),
     ("explore / yardstick", "explore", YARDSTICK, None),
     ("night with Danjon's airs / yardstick", "night", YARDSTICK, None),

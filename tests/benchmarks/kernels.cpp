@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "atmosphere/presets.h"
-#include "photons/march.h"
 #include "photons/photon.h"
 #include "photons/trace.h"
 #include "shadow/by_photons.h"
@@ -56,29 +55,6 @@ std::vector<double> tangent_heights(const atmosphere::Atmosphere& air) {
   return heights;
 }
 
-void march(benchmark::State& state, const char* preset, photons::Precision precision,
-           double step_m) {
-  const auto air = air_of(preset);
-  const auto green = green_of(air);
-  const auto heights = tangent_heights(air);
-  const photons::Marcher marcher(air.column, air.earth.equatorial_radius_m, {step_m, precision});
-  std::vector<photons::LimbPath> paths(heights.size());
-  std::uint64_t steps = 0, rays = 0;
-  for (auto _ : state) {
-    steps += marcher.follow(heights, green.refractivity, paths);
-    rays += heights.size();
-  }
-  state.SetItemsProcessed(static_cast<std::int64_t>(steps));
-  state.counters["rays"] =
-      benchmark::Counter(static_cast<double>(rays), benchmark::Counter::kIsRate);
-}
-
-void march_tables(benchmark::State& state, const char* preset) {
-  const auto air = air_of(preset);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(photons::Marcher(air.column, air.earth.equatorial_radius_m, {}));
-}
-
 void limb_path(benchmark::State& state, const char* preset) {
   const auto air = air_of(preset);
   const auto green = green_of(air);
@@ -123,35 +99,16 @@ auto* registered(const std::string& kernel, const char* preset, Arguments... arg
 }
 
 void register_kernels(const char* preset) {
-  using photons::Precision;
   registered("trace", preset, trace, preset);
-  for (const double step_m : {300., 1000., 10e3}) {
-    const auto step = std::to_string(static_cast<int>(step_m)) + "m";
-    registered("march_full_" + step, preset, march, preset, Precision::full, step_m);
-    registered("march_single_" + step, preset, march, preset, Precision::single, step_m);
-  }
-  registered("march_tables", preset, march_tables, preset);
   registered("limb_path", preset, limb_path, preset);
   registered("by_quadrature", preset, by_quadrature, preset)
       ->UseRealTime()
       ->MeasureProcessCPUTime();
-  using shadow::Trace;
   shadow::PhotonSettings settings;
   settings.photons = 100 * shadow::photons_a_block;
-  settings.trace = Trace::table;
   registered("photons_table", preset, by_photons, preset, settings)
       ->UseRealTime()
       ->MeasureProcessCPUTime();
-  settings.trace = Trace::marched;
-  for (const double step_m : {1000., 10e3})
-    for (const auto precision : {Precision::full, Precision::single}) {
-      settings.marching = {step_m, precision};
-      const std::string digits = precision == Precision::full ? "full_" : "single_";
-      registered("photons_" + digits + std::to_string(static_cast<int>(step_m)) + "m", preset,
-                 by_photons, preset, settings)
-          ->UseRealTime()
-          ->MeasureProcessCPUTime();
-    }
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Figures that several pages show: each is measured by a script on one page, and the others repeat it.
+"""Figures that several pages show: each has one page where it is measured or asserted, and the others repeat it.
+
+A page that is to show a figure of another page gets a line here.
 
 tests/docs/figures.py          exits 1 where a page has another figure than the page that it was measured on
 tests/docs/figures.py --write  fills them in
@@ -12,40 +14,66 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BRIGHTNESS, PLANNED = "examples/eclipse_brightness.md", "tests/measurements/planned_runs.md"
+EXACT, CAMERAS = "docs/exactness.md", "docs/cameras.md"
 ACROSS = r"light across the umbra[^|]*\|[^|]*\|[^|]*?"
 
 # (page, pattern) of the measured figure, then of each that repeats it: the group is the figure, without its sign
 FIGURES = [
     [(BRIGHTNESS, r"(?s)by instruments\n.*?\| rms \|[ |]*([\d.]+)"),
      ("README.md", r"five eclipses \| instruments, to 0.1 mag \| ([\d.]+) mag rms in `standard`"),
-     ("docs/exactness.md", r"2014 \| instruments, to 0.1 mag \| ([\d.]+) mag rms")],
+     (EXACT, r"2014 \| instruments, to 0.1 mag \| ([\d.]+) mag rms")],
     [(BRIGHTNESS, r"(?s)by instruments\n.*?\| mean \|[ |]*[+−]([\d.]+)"),
-     ("docs/exactness.md", r"2014 \| instruments, .* mag rms, ([\d.]+) fainter")],
+     (EXACT, r"2014 \| instruments, .* mag rms, ([\d.]+) fainter")],
     [(BRIGHTNESS, r"rms; factors of all \| ([\d.]+) \|"), ("docs/air.md", r"in `standard`, within ([\d.]+)\.")],
     [(BRIGHTNESS, r"rms; factors of all \| [\d.]+ \| ([\d.]+) \|"),
      ("docs/air.md", r"within\s+([\d.]+) mag rms; in `standard`")],
     [(BRIGHTNESS, r"the umbra \| rms [\d.]+ \| rms ([\d.]+) \|"),
-     ("README.md", ACROSS + r"([\d.]+) in `calibrated`"), ("docs/exactness.md", r"; ([\d.]+) when fitted to the five alone")],
+     ("README.md", ACROSS + r"([\d.]+) in `calibrated`"), (EXACT, r"; ([\d.]+) when fitted to the five alone")],
     [(BRIGHTNESS, r"rms ([\d.]+) in `standard`, [\d.]+ in `calibrated`\."),
      ("docs/air.md", r"\(([\d.]+) mag rms against [\d.]+\)")],
     [(BRIGHTNESS, r"rms [\d.]+ in `standard`, ([\d.]+) in `calibrated`\."),
      ("docs/air.md", r"\([\d.]+ mag rms against ([\d.]+)\)")],
     [(BRIGHTNESS, r"\| `standard` \| ([\d.]+) \|"),
      ("README.md", ACROSS + r"([\d.]+) and [\d.]+ mag rms in `standard`"),
-     ("docs/exactness.md", ACROSS + r"([\d.]+) and [\d.]+ mag rms")],
+     (EXACT, ACROSS + r"([\d.]+) and [\d.]+ mag rms")],
     [(BRIGHTNESS, r"\| `standard` \| (?:[^|]*\| ){3}([\d.]+) \|"),
      ("README.md", ACROSS + r"[\d.]+ and ([\d.]+) mag rms in `standard`"),
-     ("docs/exactness.md", ACROSS + r"[\d.]+ and ([\d.]+) mag rms")],
-    [(BRIGHTNESS, r"\| `calibrated` \| ([\d.]+) \|"), ("docs/exactness.md", r"mag rms; ([\d.]+) and [\d.]+ in `calibrated`")],
+     (EXACT, ACROSS + r"[\d.]+ and ([\d.]+) mag rms")],
+    [(BRIGHTNESS, r"\| `calibrated` \| ([\d.]+) \|"), (EXACT, r"mag rms; ([\d.]+) and [\d.]+ in `calibrated`")],
     [(BRIGHTNESS, r"\| `calibrated` \| (?:[^|]*\| ){3}([\d.]+) \|"),
-     ("docs/exactness.md", r"mag rms; [\d.]+ and ([\d.]+) in `calibrated`")],
+     (EXACT, r"mag rms; [\d.]+ and ([\d.]+) in `calibrated`")],
     [(BRIGHTNESS, r"(?s)## By observers.*?\| mean \|[ |]*\+([\d.]+)"),
-     ("docs/exactness.md", r"observers, who differ .*? \| ([\d.]+) mag brighter")],
-    [(BRIGHTNESS, r"2015-09-28 .*?\+([\d.]+)"), ("docs/exactness.md", r"brighter on average, ([\d.]+) at worst \(2015\)")],
+     (EXACT, r"observers, who differ .*? \| ([\d.]+) mag brighter")],
+    [(BRIGHTNESS, r"2015-09-28 .*?\+([\d.]+)"), (EXACT, r"brighter on average, ([\d.]+) at worst \(2015\)")],
     [(BRIGHTNESS, r"(?s)foretells from .*?\| mean \|[ |]*\+([\d.]+)"),
-     ("docs/exactness.md", r"Vital's trend, .*? \| ([\d.]+) mag brighter")],
+     (EXACT, r"Vital's trend, .*? \| ([\d.]+) mag brighter")],
     [(PLANNED, r"random air \| 100 \|\n.*\n\| the predicted error bounds the true one \| (\d+)"),
      ("docs/speed.md", r"bounds the true one in (\d+)\.")],
+    [(EXACT, r"1951 to 2025 \| [\d.]+ s \| ([\d.]+) s"), ("README.md", r"\| ([\d.]+) s off on average")],
+    [(EXACT, r"1951 to 2025 \| ([\d.]+) s"), ("README.md", r"off on average, ([\d.]+) s at worst")],
+    [(EXACT, r"larger the umbra is than its geometry \|[^|]*\| ([\d.]+ to [\d.]+) %"),
+     ("README.md", r"enlargement of the umbra \|[^|]*\| ([\d.]+ to [\d.]+) %")],
+    [(EXACT, r"larger the umbra is than its geometry \| ([\d.]+ to [\d.]+) %"),
+     ("README.md", r"enlargement of the umbra \| ([\d.]+ to [\d.]+) %")],
+    [(EXACT, r"the double integral added up, [^|]*\| (\S+) \|"),
+     ("README.md", r"against an independent integral \|[ |]*(\S+) \|")],
+    [(EXACT, r"sasktran2 [\d.]+, scattered once \| ([\d.]+) %"),
+     ("docs/physics.md", r"scattered once agrees with ours\s+to ([\d.]+) %")],
+    [(EXACT, r"clear air / aerosol \| (\d+) %"), ("docs/physics.md", r"On the axis it would add (\d+) % \(blue\)")],
+    [(EXACT, r"clear air / aerosol \| \d+ % / (\d+) % of it"),
+     ("docs/physics.md", r"2 to (\d+) % with aerosol"), ("README.md", r"more than once \(2 to (\d+) %")],
+    [(EXACT, r"mean ([\d.]+ to [\d.]+), largest"), (CAMERAS, r"wrong by ([\d.]+ to [\d.]+) on average")],
+    [(EXACT, r"largest ([\d.]+ to [\d.]+) \|"), (CAMERAS, r"and by ([\d.]+ to [\d.]+) at worst")],
+    [(CAMERAS, r"found the dust within (\d+) % and the cover within [\d.]+\s+in all"),
+     (EXACT, r"nights of JPEGs, [^|]*\|[^|]*\| 25 within (\d+) %")],
+    [(CAMERAS, r"the cover within ([\d.]+)\s+in all"),
+     (EXACT, r"nights of JPEGs, [^|]*\|[^|]*\| 25 within \d+ %, ([\d.]+)")],
+    [("docs/shader.md", r"one image of ([\d.]+) MB"), ("README.md", r"the whole eclipse in ([\d.]+) MB")],
+    [("docs/platforms.md", r"The archive has (\d+) MB"), ("docs/start.md", r"one file, (\d+) MB")],
+    [("CONTRIBUTING.md", r"every change \| (\d+) minutes from nothing"),
+     ("README.md", r"and passes the tests; (\d+) minutes")],
+    [("README.md", r"renders a picture; (\d+) minutes"),
+     ("docs/start.md", r"in about\s+(\d+) minutes"), ("examples/README.md", r"simulation\. (\d+) minutes on two")],
     [(PLANNED, r"(?s)random air \| 100 \|.*?factor of two \| (\d+)"), ("docs/speed.md", r"factor of two in (\d+)\.")],
     [(PLANNED, r"region \| 20 \|\n.*\n\| the predicted error bounds the true one \| (\d+)"),
      ("docs/speed.md", r"sharp border, it is (\d+) and")],

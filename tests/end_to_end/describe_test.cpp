@@ -163,10 +163,8 @@ class Ranges : public Describe {
       return {"develop", "frame.exr", "--camera", "refractor", "-o", "picture.png"};
     if (name == "step-km")  // without air no step is taken, which would be ten million at the least
       return Words{"shadow",       eclipsed, "--axis-distances", "0",       "--wavelengths", "550",
-                   "--atmosphere", "none",   "--solver",         "photons", "--photons",     "1",
-                   "--trace",      "marched"};
-    if (of_photons.contains(name))
-      return shadow() + Words{"--solver", "photons", "--photons", "1", "--trace", "marched"};
+                   "--atmosphere", "none",   "--solver",         "literal", "--photons",     "1"};
+    if (of_photons.contains(name)) return shadow() + Words{"--solver", "photons", "--photons", "1"};
     if (of_still.contains(name)) return still();
     if (name.starts_with("observer")) return still() + Words{"--at", "Nairobi"};
     if (!end && (name == "width" || name == "height")) return still();

@@ -118,16 +118,6 @@ TEST_F(LostFiles, InAFilmsFolderAreNotItsMap) {
               "--albedo-map reads a file of the folder that --output writes");
 }
 
-TEST_F(LostFiles, BesideAStripAreItsOwnOrKept) {
-  file("l.json", "{\"mine\": 1}\n");
-  expect_kept({"shadow", eclipse_of_2008, "--lookup", "l.exr", "--tolerance", "5%"},
-              "l.json: tells of no strip l.exr");
-  std::filesystem::remove(here("l.json"));
-  ASSERT_EQ(::mkfifo(here("l.json").c_str(), 0666), 0);
-  const auto outcome = coppermoon({"shadow", eclipse_of_2008, "--lookup", "l.exr"});
-  EXPECT_EQ(outcome.err, "coppermoon: l.json: cannot be read: it is no regular file\n");
-}
-
 TEST_F(LostFiles, AreNamedByNoRecipe) {
   fs::create_directory(here("v"));
   file("v/victim", "precious");

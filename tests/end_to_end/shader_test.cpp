@@ -160,7 +160,7 @@ TEST_F(Shader, OfGlslFindsTheLight) {
   const auto places = places_on_moon();
   for (const double seconds : {-5400., 1000.}) {
     const auto found =
-        shaded(source, {{"seconds", seconds}}, "eclipse_strip", {of.strip, {}}, false, places);
+        shaded(source, {{"seconds", seconds}}, "eclipse_strip", of.strip, false, places);
     expect_alike(found, of, places, seconds, 0.01, "a GPU's filter has 256 steps between texels");
   }
 }
@@ -227,6 +227,23 @@ TEST_F(Shader, OfPovRayIsAFilm) {
                       "half floats, and a column of the strip's slope in what a camera is off");
     }
   EXPECT_GT(seen, 1000);
+}
+
+TEST_F(Shader, OfOneMomentIsOnePlaneWhateverTheTime) {
+  const Words air{"--scattered-light", "off"};
+  for (const auto* when : {"2008-02-21T03:26:05Z", "2008-02-21T02:30:00Z"}) {
+    const auto of = shader(Words{when} + air);
+    EXPECT_EQ(of.strip.height, 97U);
+    const auto greatest = almanac::instant_from_utc(of.facts["greatest"].get<std::string>());
+    const double seconds = almanac::seconds_between(greatest, almanac::instant_from_utc(when));
+    const auto worst = misses(of, seconds, air, {"--tolerance", "0.3%"});
+    EXPECT_WITHIN(worst.umbra, 0., 0.03, "light at another depth than the plane's, near the axis");
+    EXPECT_WITHIN(worst.bright, 0., 0.015, "the same, farther out");
+    EXPECT_EQ(of.at({1, 0, 0}, -5000), of.at({1, 0, 0}, 5000));
+  }
+  EXPECT_EQ(run({"povray", "eclipse.pov", "+W40", "+H40", "-F", "-D"}, {.folder = here("eclipse")})
+                .status,
+            0);
 }
 
 TEST_F(Shader, WritesOverNothingOfYours) {

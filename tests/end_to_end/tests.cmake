@@ -2,7 +2,7 @@
 # The whole program, as a user runs it.
 coppermoon_tests(end_to_end LINKS coppermoon::verbs PkgConfig::OpenImageIO
   HEAVY animate bad_input brightness cache camera compare craters describe dome eclipses explore exposure film_files film_job film_folder film_pictures film_scene film_stage frame_passes fit high_range hue image_reader json
-        lost_files low_moon merge night orientation outputs paper_figures personal_settings plans recipes refusals ring scene_folder shader shadow_strip sky_exposure start terms texture_files
+        lost_files low_moon merge night orientation outputs paper_figures personal_settings plans recipes refusals ring scene_folder shader sky_exposure start terms texture_files
         tradeoff
   SLOW film nights planned_regions planned_runs recovery stills)
 # where the installed program looks for its module

@@ -125,10 +125,7 @@ TEST_F(TextureFiles, TellOtherProgramsTheirSpace) {
                       "\"lin_ap1_scene\""),
             std::string::npos);
   expect_done(coppermoon({"ring", partial.front(), "--atmosphere", "undated", "-o", "ring.exr"}));
-  expect_done(coppermoon({"shadow", partial.front(), "--bands", "20", "--atmosphere", "undated",
-                          "--earth", "sphere", "--lookup", "strip.exr"}));
-  for (const char* file : {"ring.exr", "strip.exr"})
-    EXPECT_EQ(spaces_said_of(said(file)), Words{"lin_rec709_scene"}) << file;
+  EXPECT_EQ(spaces_said_of(said("ring.exr")), Words{"lin_rec709_scene"});
 }
 
 TEST_F(TextureFiles, OfUsdComeBesideIt) {

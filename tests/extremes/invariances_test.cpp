@@ -333,7 +333,7 @@ TEST(Splitting, APhotonRunInTwoAndMergingItAddsUpToTheSame) {
   for (std::uint64_t i = 0; i < 20; ++i) {
     Drawn drawn(i);
     shadow::PhotonSettings settings;
-    settings.seed = i, settings.trace = shadow::Trace::table, settings.rays = 60;
+    settings.seed = i, settings.rays = 60;
     settings.ring_width_m = drawn.between(1e5, 2e6);
     const std::uint64_t blocks = 2 + drawn.below(20), cut = 1 + drawn.below(blocks - 1);
     const auto run = [&](shadow::BlockRange range) {

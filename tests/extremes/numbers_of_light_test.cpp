@@ -25,7 +25,6 @@ namespace {
 using atmosphere::Atmosphere;
 using atmosphere::Density;
 using shadow::Arrangement;
-using shadow::Trace;
 
 constexpr double au_m = almanac::astronomical_unit_m;
 const Arrangement february_2008{1.479e11, {3.83e8}};
@@ -47,11 +46,11 @@ void expect_light(const shadow::RefractedLight& light, std::string_view what) {
     EXPECT_TRUE(std::ranges::all_of(grid.values(), is_light)) << what;
 }
 
-shadow::PhotonSettings photons_of(std::uint64_t count, Trace trace, double ring_m,
+shadow::PhotonSettings photons_of(std::uint64_t count, bool literal, double ring_m,
                                   std::size_t sectors = 1) {
   shadow::PhotonSettings settings;
   settings.photons = count;
-  settings.trace = trace;
+  settings.literal = literal;
   settings.ring_width_m = ring_m;
   settings.sectors = sectors;
   return settings;
@@ -238,25 +237,25 @@ TEST(Light, OfAirThatIsBlackIsNoneAndNeverNoNumber) {
     EXPECT_TRUE(is_light(lookup.worst_relative_error(light, weights, 0, 4e6)));
     add_twilight(light, air);
     expect_light(light, "black air and twilight");
-    for (const auto trace : {Trace::step_by_step, Trace::marched, Trace::table}) {
-      const auto photons = by_photons(air, february_2008, waves, photons_of(1, trace, 5e5, 2));
+    for (const bool literal : {true, false}) {
+      const auto photons = by_photons(air, february_2008, waves, photons_of(1, literal, 5e5, 2));
       expect_light(photons, "photons in black air");
     }
   }
   EXPECT_LT(by_quadrature(black, february_2008, green, {gammas.data(), 1}).ratio[0](0, 0), 1e-12);
   tried("all absorbers at their most, at once; cloud to 30 km all over",
-        "light by four ways, look-up and twilight are finite and not negative");
+        "light by three ways, look-up and twilight are finite and not negative");
 }
 
 TEST(Light, OfOnePhotonAndOneWavelengthIsFiniteAndItsErrorUnknown) {
-  for (const auto trace : {Trace::step_by_step, Trace::marched, Trace::table}) {
-    const auto light = by_photons(Atmosphere{}, february_2008, green, photons_of(1, trace, 5e4));
+  for (const bool literal : {true, false}) {
+    const auto light = by_photons(Atmosphere{}, february_2008, green, photons_of(1, literal, 5e4));
     EXPECT_EQ(light.photons, shadow::photons_a_block);
     expect_light(light, "one photon");
     for (std::size_t i = 0; i < light.ratio[0].values().size(); ++i)
       EXPECT_EQ(light.standard_error[0].values()[i], light.ratio[0].values()[i]);
   }
-  tried("one photon, one wavelength, by three ways", "one block, whose error is all of it");
+  tried("one photon, one wavelength, by both ways", "one block, whose error is all of it");
 }
 
 /// Light that a transparent ring lets in: (1 + z/D)² π (b₁² − b₀²).
@@ -284,34 +283,15 @@ TEST(Light, OfRegionsWhoseAirEndsLowerOrIsNoneLosesNothing) {
     const auto light = by_quadrature(mixed, february_2008, green, gammas);
     for (std::size_t s = 0; s < light.sectors; s += 6)
       worst.see_relative(flux_m2(light, s), flux_m2(whole, 0));
-    const auto marched = means_over_rings(
-        shadow::traced(mixed, february_2008, green, photons_of(200'000, Trace::marched, 2e6, 2)));
+    const auto gathered = means_over_rings(
+        shadow::traced(mixed, february_2008, green, photons_of(200'000, false, 2e6, 2)));
     holds(fmt::format("air to 86 km, in the south to {:.0f} km, straight and clear",
                       atmosphere::top_m(region) / 1e3),
           "light of the whole plane, over that of one air", 1e-3, worst, "10 km between places");
     Worst noise;
-    for (std::size_t s = 0; s < 2; ++s) noise.see_relative(flux_m2(marched, s), flux_m2(whole, 0));
-    holds("the same by photons, marched", "light north and south, over that of one air", 0.01,
-          noise, "noise of 200 000 photons");
-  }
-}
-
-TEST(Light, InSinglePrecisionIsThatInFull) {
-  const std::vector<double> waves{400, 550, 700};
-  for (const double step_m : {100., 1e3, 1e4}) {
-    std::array<shadow::RefractedLight, 2> light;
-    for (std::size_t k = 0; k < 2; ++k) {
-      auto settings = photons_of(20'000, Trace::marched, 500e3);
-      settings.marching = {step_m, k == 0 ? photons::Precision::full : photons::Precision::single};
-      light[k] = by_photons(Atmosphere{}, february_2008, waves, settings);
-    }
-    Worst worst;
-    for (std::size_t i = 0; i < 8; ++i)
-      for (std::size_t w = 0; w < waves.size(); ++w)
-        worst.see_relative(light[1].ratio[0](i, w), light[0].ratio[0](i, w));
-    holds(fmt::format("photons marched by {:g} m in single precision", step_m),
-          "light of rings of 500 km, over that in full", 2e-3, worst,
-          "4e-5 of bending lets one photon in some hundred change its ring");
+    for (std::size_t s = 0; s < 2; ++s) noise.see_relative(flux_m2(gathered, s), flux_m2(whole, 0));
+    holds("the same by photons", "light north and south, over that of one air", 0.01, noise,
+          "noise of 200 000 photons");
   }
 }
 

@@ -11,7 +11,6 @@
 #include "atmosphere/presets.h"
 #include "extremes/worst.h"
 #include "photons/bending.h"
-#include "photons/march.h"
 #include "photons/photon.h"
 #include "photons/trace.h"
 
@@ -63,13 +62,6 @@ LimbPath by_midpoints(const Column& column, double tangent_m, double refractivit
 
 LimbPath exact(const Column& column, double h, double refractivity = green) {
   return photons::limb_path(h, radius_m, column, refractivity);
-}
-
-LimbPath marched(const Column& column, double h, const photons::Marching& marching,
-                 double refractivity = green) {
-  std::array<LimbPath, 1> path;
-  photons::Marcher(column, radius_m, marching).follow(std::array{h}, refractivity, path);
-  return path[0];
 }
 
 struct Place {
@@ -196,7 +188,7 @@ TEST(Air, ThatBendsAsTheEarthDoesIsRefusedFromTheClosedFormOn) {
   EXPECT_EQ(atmosphere::critical_refractivity({.refraction = false}, radius_m),
             std::numeric_limits<double>::infinity());
   EXPECT_GT(atmosphere::critical_refractivity({}, 1e7), 1e-3)
-      << "all that a Marcher accepts leaves the air";
+      << "all ordinary air";
 }
 
 TEST(Air, ThatBendsLittleBendsInProportion) {
@@ -226,41 +218,6 @@ TEST(Air, ThatAllButTrapsLightLetsItOut) {
     }
   holds("n - 1 at 0.5 to 0.999 of what traps light", "bending, over itself; heights found", 1e-5,
         worst, "at 0.999 n r - b is a thousandth of h - h_t in the lowest 10 m, 16 points a piece");
-}
-
-TEST(MarchedRays, HaveAnErrorThatFallsWithTheStepToRounding) {
-  const Column column{.density = Density::us_1976};
-  for (const auto& [precision, floor] :
-       {std::pair{Precision::full, 1e-11}, std::pair{Precision::single, 5e-6}}) {
-    Worst over_law;
-    for (const double step_m : {1., 10., 100., 1e3, 3e3, 1e4, 3e4, 1e5})
-      for (const double h : {0., 500., 5e3, 20e3, 40e3, 80e3}) {
-        const double error = std::abs(
-            marched(column, h, {step_m, precision}).bending_rad / exact(column, h).bending_rad - 1);
-        over_law.see(error / (2e-6 * std::pow(step_m / 1e3, 2) + floor * 1e3 / step_m + floor));
-      }
-    holds(fmt::format("rays marched by 1 m to 100 km, {}",
-                      precision == Precision::full ? "full" : "single"),
-          fmt::format("bending's error over 2e-6 (step/km)^2 + {:g} (1 + km/step)", floor), 1,
-          over_law, "at least second order across breaks; rounding adds up as 1/step");
-  }
-}
-
-TEST(MarchedRays, ThatDipUnderABreakForLessThanAStepDoNotSeeIt) {
-  for (const auto& [step_m, bound] : {std::pair{1e3, 2e-3}, std::pair{1e4, 1e-2}}) {
-    const double dip_m = step_m * step_m / (8 * radius_m);
-    Worst within, beyond;
-    for (const double break_m : {11019.067832, 20063.123682, 39e3})
-      for (const double depth : {1e-3, 0.1, 0.5, 0.99, 1.5, 3., 10.}) {
-        const double h = break_m - depth * dip_m;
-        (depth < 1 ? within : beyond)
-            .see_relative(marched({}, h, {step_m}).bending_rad, exact({}, h).bending_rad);
-      }
-    holds(fmt::format("rays up to {:.2g} m under a break, marched by {:g} km", dip_m, step_m / 1e3),
-          "bending, over itself", bound, within, "as the header says");
-    holds("the same a little deeper", "bending, over itself", bound, beyond,
-          "they see it, at one step or two");
-  }
 }
 
 /// A ray of that impact height, followed to the letter.

@@ -146,9 +146,8 @@ inline const std::map<std::string, std::string>& keys_left_out() {
       {"config-space", "needs a config"},
       {"from", "of a light curve; end_to_end/json and uses/picture/brightness have many"},
       {"to", "as from"},
-      {"solver", "drawn with trace and photons, in a number that a sweep has time for"},
-      {"trace", "drawn with solver and photons"},
-      {"photons", "drawn with solver and trace"},
+      {"solver", "drawn with photons, in a number that a sweep has time for"},
+      {"photons", "drawn with solver"},
       {"region", "drawn as tables of its parts"},
   };
   return all;
@@ -258,10 +257,10 @@ class RandomRecipes {
     const auto known =
         std::ranges::any_of(all, [](const auto& one) { return one.at("name") == "photons"; });
     if (!known) return;
-    const std::string trace = one_of(random, std::array{"each", "marched", "table"});
-    made.text += fmt::format("solver = \"photons\"\ntrace = \"{}\"\nphotons = {}\n", trace,
-                             number(1, trace == "each" ? 2e3 : 2e4)(random));
-    made.keys.insert({"solver", "trace", "photons"});
+    const std::string solver = one_of(random, std::array{"literal", "photons"});
+    made.text += fmt::format("solver = \"{}\"\nphotons = {}\n", solver,
+                             number(1, solver == "literal" ? 2e3 : 2e4)(random));
+    made.keys.insert({"solver", "photons"});
   }
 
   /// A region with both edges of a latitude or a position angle, seldom one; and some air.

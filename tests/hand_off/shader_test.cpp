@@ -30,7 +30,7 @@ TEST_F(Shader, OfMaterialXFindsTheLight) {
   for (const double seconds : {-5400., 1000.}) {
     generated["uniforms"]["time"] = seconds;
     const auto found =
-        shaded(generated["source"], generated["uniforms"], "strip", {of.strip, {}}, true, places);
+        shaded(generated["source"], generated["uniforms"], "strip", of.strip, true, places);
     end_to_end::expect_alike(found, of, places, seconds, 0.01,
                              "a GPU's filter has 256 steps between texels");
   }

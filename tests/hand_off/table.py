@@ -65,8 +65,8 @@ ROWS = [
      ["gltf/glb_is_read", "gltf/glb_of_a_bake_is_read"]),
     ("OpenJobDescription's `openjd`", pinned["openjd-cli"], "`animate --job job.yaml`", "checked; run, with a task killed on "
      "the way: the bytes of the direct run", ["job"]),
-    ("sasktran2", pinned["sasktran2"], "ozone and aerosol of five airs", "light scattered once onto the shadow's axis: the same "
-     "within 1.5 %", ["scattered_light"]),
+    ("sasktran2", pinned["sasktran2"], "ozone and aerosol of five airs",
+     "light scattered once onto the shadow's axis: the same light", ["scattered_light"]),
     ("LibRaw's `dcraw_emu`", debian("libraw-bin"), "`.dng`", "the same light", ["raw"]),
     ("darktable", debian("darktable"), "`.dng`", "the same light", ["raw"]),
     ("Stellarium", debian("stellarium"), "`.stellarium`", "shown: the texture as it is, where our camera has it",

@@ -39,10 +39,10 @@ std::vector<double> exact_means() {
   return means;
 }
 
-void print_errors(shadow::Trace trace, double photons, const std::vector<double>& exact) {
+void print_errors(bool literal, double photons, const std::vector<double>& exact) {
   shadow::PhotonSettings settings;
   settings.photons = static_cast<std::uint64_t>(photons);
-  settings.trace = trace;
+  settings.literal = literal;
   settings.ring_width_m = ring_m;
   settings.rays = 3000;  // of the table, as of the quadrature
   double squares = 0, variances = 0, traced = 0;
@@ -56,8 +56,8 @@ void print_errors(shadow::Trace trace, double photons, const std::vector<double>
       variances += std::pow(light.standard_error[0](ring, 0) / exact[ring], 2);
     }
   }
-  fmt::print("{},{:.0f},{:.4g},{:.4g}\n", trace == shadow::Trace::step_by_step ? "each" : "table",
-             traced, std::sqrt(squares / (seeds * rings)), std::sqrt(variances / (seeds * rings)));
+  fmt::print("{},{:.0f},{:.4g},{:.4g}\n", literal ? "literal" : "table", traced,
+             std::sqrt(squares / (seeds * rings)), std::sqrt(variances / (seeds * rings)));
 }
 
 }  // namespace
@@ -65,10 +65,9 @@ void print_errors(shadow::Trace trace, double photons, const std::vector<double>
 int main(int count, char** words) {
   const double most = count > 1 ? std::atof(words[1]) : 1e6;
   const auto exact = exact_means();
-  fmt::print("trace,photons,relative_error,standard_error\n");
-  for (const auto trace : {shadow::Trace::step_by_step, shadow::Trace::table})
-    for (double photons = 1e4;
-         photons < 1.1 * most * (trace == shadow::Trace::step_by_step ? 1 : 100);
+  fmt::print("solver,photons,relative_error,standard_error\n");
+  for (const bool literal : {true, false})
+    for (double photons = 1e4; photons < 1.1 * most * (literal ? 1 : 100);
          photons *= std::sqrt(10.))
       print_errors(trace, photons, exact);
 }

@@ -17,10 +17,10 @@ set xrange [7000:*]
 set grid
 set xlabel 'photons'
 set ylabel 'relative error of a ring of 1000 km, 550 nm'
-each(column) = stringcolumn(1) eq 'each' ? column : 1/0
+literal(column) = stringcolumn(1) eq 'literal' ? column : 1/0
 table(column) = stringcolumn(1) eq 'table' ? column : 1/0
-plot 'photon_convergence.csv' skip 1 using 2:(each($3)) with linespoints lw 2 pt 7 title 'traced each', \
-     '' skip 1 using 2:(each($4)) with lines lw 1 title 'standard error, as the photons say', \
+plot 'photon_convergence.csv' skip 1 using 2:(literal($3)) with linespoints lw 2 pt 7 title 'literal', \
+     '' skip 1 using 2:(literal($4)) with lines lw 1 title 'standard error, as the photons say', \
      '' skip 1 using 2:(table($3)) with linespoints lw 2 pt 7 title 'by the table', \
      '' skip 1 using 2:(table($4)) with lines lw 1 title 'standard error, as the photons say', \
      0.3*sqrt(1000/x) with lines dashtype 2 title 'N^{-1/2}'

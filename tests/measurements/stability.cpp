@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "photons/march.h"
+#include "photons/bending.h"
 #include "photons/trace.h"
 #include "shadow/by_quadrature.h"
 
@@ -46,14 +46,6 @@ photons::LimbPath exact_path(double h) {
 Rays exact(const Heights& heights) {
   Rays rays;
   for (const double h : heights) rays.push_back(ray_of(exact_path(h)));
-  return rays;
-}
-
-Rays marched(const Heights& heights, const photons::Marching& marching) {
-  std::vector<photons::LimbPath> paths(heights.size());
-  photons::Marcher(air.column, radius_m, marching).follow(heights, green.refractivity, paths);
-  Rays rays;
-  for (const auto& path : paths) rays.push_back(ray_of(path));
   return rays;
 }
 
@@ -104,24 +96,13 @@ Heights even(double from_m, double to_m, int count) {
 struct Way {
   std::string_view name;
   Rays (*rays)(const Heights&, double step_m);
-  double shortest_m;  ///< for many rays
 };
 
-constexpr std::array<Way, 4> ways{
-    {{"marched in full precision",
-      [](const Heights& h, double step_m) { return marched(h, {step_m}); }, 1},
-     {"marched in single precision",
-      [](const Heights& h, double step_m) {
-        return marched(h, {step_m, photons::Precision::single});
-      },
-      1},
-     {"stepped literally", [](const Heights& h, double step_m) { return stepped(h, {step_m}); },
-      30},
-     {"... with gradients over 0.1 m",
-      [](const Heights& h, double step_m) {
+constexpr std::array<Way, 2> ways{
+    {{"literal", [](const Heights& h, double step_m) { return stepped(h, {step_m}); }},
+     {"literal with gradients over 0.1 m", [](const Heights& h, double step_m) {
         return stepped(h, {step_m, 0.1});
-      },
-      30}}};
+      }}}};
 
 void print_steps(const std::vector<double>& steps_m) {
   const auto few = even(1e3, 36e3, 8), many = even(0, 42e3, 400);
@@ -131,7 +112,8 @@ void print_steps(const std::vector<double>& steps_m) {
       const auto rays = way.rays(few, step_m);
       print("bending", way.name, step_m, worst(rays, few_exact, &Ray::bending_rad));
       print("optical depth", way.name, step_m, worst(rays, few_exact, &Ray::depth));
-      if (step_m < way.shortest_m) continue;
+      constexpr double shortest_m = 30;  // for many rays
+      if (step_m < shortest_m) continue;
       const double light = on_the_axis(many, way.rays(many, step_m));
       print("light on the axis", way.name, step_m,
             std::abs(light / on_the_axis(many, many_exact) - 1));
@@ -170,7 +152,7 @@ struct Place {
   double height_m, side;  ///< which way rays stand off it
 };
 
-/// Rays by limb_path's integral, and marched by 1 km.
+/// Rays by limb_path's integral.
 void print_places(double away_m) {
   const auto breaks = atmosphere::density_breaks_m();
   for (const auto& [name, at_m, side] :
@@ -179,10 +161,6 @@ void print_places(double away_m) {
         Place{"under the top", breaks[4], -1}}) {
     const double h = at_m + side * away_m, reference = by_midpoints(h);
     print("exact", name, away_m, std::abs(exact({h})[0].bending_rad / reference - 1));
-    for (const auto& [panel, precision] : {std::pair{"marched", photons::Precision::full},
-                                           std::pair{"single", photons::Precision::single}})
-      print(panel, name, away_m,
-            std::abs(marched({h}, {1e3, precision})[0].bending_rad / reference - 1));
   }
 }
 

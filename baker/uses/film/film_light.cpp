@@ -35,7 +35,7 @@ Purpose purpose_of(const Film& film) {
 /// Request that adds the photons of all shards in a folder.
 LightRequest with_shards(LightRequest request, const std::filesystem::path& folder) {
   if (!wants_photons(request)) return request;
-  request.solver = Solver::photons;
+  if (request.solver == Solver::automatic) request.solver = Solver::table;
   auto& sums = request.photon_files.add;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.path().extension() == ".sums") sums.push_back(entry.path());
@@ -92,7 +92,7 @@ void trace_shard(const Film& film, const Shard& shard, const algebra::Progress& 
     throw algebra::Error(
         fmt::format("shard = {}/{} of the light, allowed where a number of photons is given",
                     shard.part, shard.parts));
-  request.solver = Solver::photons;
+  if (request.solver == Solver::automatic) request.solver = Solver::table;
   request.photon_files.shard = shard;
   request.photon_files.keep = sums_file(film, shard);
   files::require_no_link(request.photon_files.keep);

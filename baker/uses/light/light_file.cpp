@@ -30,7 +30,7 @@ ordered_json described(const plan::Plan& plan) {
   const auto& work = plan.work;
   ordered_json left_out = ordered_json::array();
   for (const auto& [term, size] : plan.left_out) left_out.push_back({name(term), size});
-  return {{"method", static_cast<int>(work.method)},
+  return {{"method", static_cast<int>(work.solver)},
           {"photons", work.photons},
           {"terms", {work.refracted, work.ellipsoid, work.regions, work.scattered_light}},
           {"knobs", {work.bands, work.rays, work.sun_terms, work.planes}},
@@ -44,7 +44,7 @@ ordered_json described(const plan::Plan& plan) {
 plan::Plan plan_from(const ordered_json& all) {
   plan::Plan plan;
   auto& work = plan.work;
-  work.method = static_cast<plan::Method>(all.at("method").get<int>());
+  work.solver = static_cast<plan::Solver>(all.at("method").get<int>());
   work.photons = all.at("photons");
   const auto &terms = all.at("terms"), &knobs = all.at("knobs");
   work.refracted = terms.at(0), work.ellipsoid = terms.at(1), work.regions = terms.at(2);
@@ -135,7 +135,7 @@ bool ascend(std::span<const double> values) {
 void require_sound(const Moonlight& light) {
   const auto& work = light.plan.work;
   const auto& refracted = *light.refracted;
-  require(work.method >= plan::Method::quadrature && work.method <= plan::Method::step_by_step);
+  require(work.solver >= plan::Solver::quadrature && work.solver <= plan::Solver::literal);
   require_knobs(plan::ByHand{.bands = work.bands,
                              .rays = work.rays,
                              .sun_terms = work.sun_terms,

@@ -96,7 +96,7 @@ double budget_of(const std::string& text) {
 
 /// Where photons make the light: a plan takes them where they are asked for.
 const request::Conditions as_the_paper{{"quality", {"paper"}}},
-    of_photons{{"solver", {"photons"}}, {"photons"}, {"quality", {"paper"}}};
+    of_photons{{"solver", {"photons", "literal"}}, {"photons"}, {"quality", {"paper"}}};
 
 /// The tolerance that a quality stands for.
 double tolerance_named(const std::string& quality) {
@@ -328,7 +328,7 @@ void describe(Parameters& is, Effort& effort) {
                  {"reference", "reference"},
                  {"paper", "paper"}},
                 "error of luminance: draft (5 %), standard (1 %) or reference (0.05 %); paper: 1e7 "
-                "photons step by step, as Yapo & Cutler (2009)"))
+                "literal photons, as Yapo & Cutler (2009)"))
       .not_beside({{"tolerance"}, {"budget"}}, {"standard", "reference"});
   is.add(parameter("tolerance", effort.tolerance,
                    "largest error of luminance on the disc, 0.01% to 50%, in place of quality"))
@@ -359,7 +359,7 @@ void describe_knobs(Parameters& is, plan::ByHand& knobs) {
   is.begin(light_heading, "", Affects::photons);
   is.add(parameter("rays", knobs.rays,
                    "number of rays between the ground and the top of the air, for quadrature and "
-                   "table, 2 to 1e7"))
+                   "photons, 2 to 1e7"))
       .within(2, 1e7)
       .replaced_by_plan();
   is.begin(light_heading, "", Affects::light);
@@ -386,45 +386,29 @@ void describe_knobs(Parameters& is, plan::ByHand& knobs) {
 }
 
 void describe_solver(Parameters& is, LightRequest& light) {
-  using photons::Precision, shadow::Trace;
-  is.begin(light_heading, "", Affects::light);
+  is.begin(light_heading, "", Affects::photons);
   is.add(choice("solver", light.solver,
                 {{"auto", Solver::automatic},
                  {"quadrature", Solver::quadrature},
-                 {"photons", Solver::photons}},
-                "method: quadrature (without noise), photons (the paper's simulation), or auto "
-                "(the quicker; photons where photons is given)"))
+                 {"photons", Solver::table},
+                 {"literal", Solver::literal}},
+                "quadrature (without noise), photons (by a table of the limb's rays), literal "
+                "(photons step by step, each alone, as in the paper), or auto (the quickest; "
+                "photons where photons is given)"))
       .not_beside(as_the_paper)
       .replaced_by_plan();
-  is.begin(light_heading, "", Affects::photons);
-  is.add(choice(
-             "trace", light.trace,
-             {{"each", Trace::step_by_step}, {"marched", Trace::marched}, {"table", Trace::table}},
-             "tracing of photons: table (by a table of the limb's rays), marched (step by step, "
-             "all wavelengths together) or each (step by step, each alone, as in the paper)"))
-      .not_beside(as_the_paper)
-      .only_with(of_photons);
   is.begin(light_heading, "", Affects::light);
   is.add(parameter("photons", light.photons,
                    "number of photons, 1 to 1e12; default: as many as the tolerance needs. 1e6 "
-                   "take a second by the table, some seconds marched, minutes with trace each"))
+                   "take a second by the table, literal minutes"))
       .within(1, 1e12)
-      .only_with({{"solver", {"auto", "photons"}}, {"quality", {"paper"}}})
+      .only_with({{"solver", {"auto", "photons", "literal"}}, {"quality", {"paper"}}})
       .replaced_by_plan();
   is.begin(light_heading, "", Affects::photons);
   is.add(parameter("seed", light.seed, "seed of the photons")).only_with(of_photons);
-  is.add(parameter("step-km", light.step_km,
-                   "step of a photon's path [km], 0.001 to 100, with trace each or marched"))
+  is.add(parameter("step-km", light.step_km, "step of a literal photon's path [km], 0.001 to 100"))
       .within(0.001, 100)
-      .only_with(of_photons)
-      .only_with({{"trace", {"each", "marched"}}, {"quality", {"paper"}}});
-  is.add(choice("precision", light.precision,
-                {{"single", Precision::single}, {"full", Precision::full}},
-                "precision of photons that are marched: single (7 digits, in two thirds of the "
-                "time) or full (16 digits)"))
-      .not_beside(as_the_paper)
-      .only_with(of_photons)
-      .only_with({{"trace", {"marched"}}});
+      .only_with({{"solver", {"literal"}}, {"quality", {"paper"}}});
   is.add(parameter("ring-km", light.ring_km,
                    "width of the rings that gather photons [km], 1 to 2000"))
       .within(1, 2000)
@@ -493,12 +477,15 @@ std::string air_in_words(const Parameters& parameters) {
 }
 
 std::string with_work(const std::string& recipe, const plan::Work& work) {
-  const bool photons = work.method != plan::Method::quadrature;
+  const bool photons = plan::traces_photons(work.solver);
   auto text = fmt::format(
       "bands = {}\nrays = {}\nsun-terms = {}\nplanes = {}\nplace-error = {}\nleave-out = {}\n"
       "solver = '{}'\n",
       work.bands, work.rays, work.sun_terms, work.planes, work.place_error,
-      request::quoted(terms_left_out(work)), photons ? "photons" : "quadrature");
+      request::quoted(terms_left_out(work)),
+      work.solver == Solver::literal ? "literal"
+      : photons                      ? "photons"
+                                     : "quadrature");
   if (photons) text += fmt::format("photons = {}\n", work.photons);
   return text + without_work(recipe);
 }

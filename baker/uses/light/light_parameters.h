@@ -41,7 +41,7 @@ plan::Wish wish_of(const Effort& effort);
 /// Number of wavelengths, rays, planes …, in place of those that the plan chooses.
 void describe_knobs(request::Parameters& is, plan::ByHand& knobs);
 
-/// Method, photons and their steps.
+/// Solver, photons and their steps.
 void describe_solver(request::Parameters& is, LightRequest& light);
 
 /// A part of the limb with air of its own, as "from-latitude=-90,to-latitude=0,dust-extinction=1e-5".

@@ -27,10 +27,9 @@ shadow::PhotonSettings photon_settings(const LightRequest& request) {
   shadow::PhotonSettings settings;
   settings.photons = static_cast<std::uint64_t>(photons);
   settings.seed = request.seed;
-  settings.trace = request.trace;
+  settings.literal = request.solver == Solver::literal;
   settings.rays = request.by_hand.rays.value_or(settings.rays);
-  settings.stepping.step_m = settings.marching.step_m = request.step_km * 1e3;
-  settings.marching.precision = request.precision;
+  settings.stepping.step_m = request.step_km * 1e3;
   settings.ring_width_m = request.ring_km * 1e3;
   return settings;
 }
@@ -39,7 +38,7 @@ shadow::PhotonSettings photon_settings(const LightRequest& request) {
 void require_sound(const LightRequest& request) {
   photon_settings(request);
   require_knobs(request.by_hand);
-  if (request.solver != Solver::photons && request.photon_files.asked_for())
+  if (!plan::traces_photons(request.solver) && request.photon_files.asked_for())
     throw algebra::Error("parts of photons, kept and added ones need the solver photons");
   algebra::require_within("smoothing [km]", request.smoothing_km, 0, 2000);
 }
@@ -126,7 +125,7 @@ shadow::RefractedLight refracted_light(const LightRequest& request,
     if (terms && !terms->refracted)
       return shadow::darkness(arrangement, grid.wavelengths_nm, grid.axis_distances_m,
                               air.symmetric() ? 1 : grid.around);
-    if (request.solver == Solver::photons) {
+    if (plan::traces_photons(request.solver)) {
       if (!request.photons)
         throw algebra::Error(
             "photons: none given, allowed 1 to 1e12; only light on a Moon has a tolerance that "
@@ -178,17 +177,6 @@ double found_error(const ShadowedMoon& moon, const Moonlight& light,
                                                             distances.front(), distances.back()));
 }
 
-plan::Method method_of(shadow::Trace trace) {
-  switch (trace) {
-    case shadow::Trace::step_by_step:
-      return plan::Method::step_by_step;
-    case shadow::Trace::marched:
-      return plan::Method::marched;
-    default:
-      return plan::Method::table;
-  }
-}
-
 plan::Plan plan_of(const LightRequest& request, const ShadowedMoon& moon, const Purpose& purpose) {
   const auto scattered = scattered_light_of(request);
   auto scene = scene_of(moon, purpose);
@@ -199,8 +187,8 @@ plan::Plan plan_of(const LightRequest& request, const ShadowedMoon& moon, const 
   }
   hand.scattered_light = scattered == ScatteredLight::on;
   hand.photons = request.photons;
-  if (request.solver == Solver::quadrature) hand.method = plan::Method::quadrature;
-  if (wants_photons(request)) hand.method = method_of(request.trace);
+  hand.solver = request.solver;
+  if (request.solver == Solver::automatic && request.photons) hand.solver = Solver::table;
   return plan::plan_for(scene, request.wish, this_machine(), hand);
 }
 
@@ -212,12 +200,13 @@ shadow::RefractedLight light_of_work(const LightRequest& request, const Shadowed
   const auto air = air_for(plan.work, moon);
   if (!plan.work.refracted)
     return shadow::darkness(arrangement, waves, distances, air.symmetric() ? 1 : sectors_of_a_plan);
-  if (plan.work.method == plan::Method::quadrature)
+  if (plan.work.solver == plan::Solver::quadrature)
     return shadow::by_quadrature(air, arrangement, waves, distances,
                                  quadrature_for(plan.work, moon), progress);
   const auto weights = at_wavelengths(luminance_weights(), plan.work.bands);
   const auto row = weights.row(0);
   auto limited = request;
+  limited.solver = plan.work.solver;
   if (request.wish.budget_s && !request.photons) limited.photons = plan.work.photons;
   // who asked for none does not wait until the darkest sector has enough of them
   const double most = wants_photons(request) ? most_photons : std::max(1e6, 16 * plan.work.photons);
@@ -320,7 +309,7 @@ Moonlight light_on_the_moon(const LightRequest& request, const almanac::SkyState
 }
 
 bool wants_photons(const LightRequest& request) {
-  return request.solver == Solver::photons ||
+  return plan::traces_photons(request.solver) ||
          (request.solver == Solver::automatic && request.photons);
 }
 

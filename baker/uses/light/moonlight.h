@@ -11,7 +11,6 @@
 
 #include "algebra/progress.h"
 #include "almanac/sky.h"
-#include "photons/march.h"
 #include "shadow/by_photons.h"
 #include "shadow/irradiance.h"
 #include "shadow/lookup.h"
@@ -32,27 +31,24 @@ struct PhotonFiles {
   bool asked_for() const { return shard || !keep.empty() || !add.empty(); }
 };
 
-/// Solver asked for in a request; the plan turns it, and `trace`, into a plan::Method.
-enum class Solver { automatic, quadrature, photons };
+using plan::Solver;
 
 /// Sunlight that the air scatters into the shadow: computed or not; automatic: where it counts.
 enum class ScatteredLight { automatic, on, off };
 
-/// Request for light: Sun, Earth and air, and the method.
+/// Request for light: Sun, Earth and air, and the solver.
 struct LightRequest {
   Air air{};
   std::optional<bool> limb_darkening{};  ///< without: on, but for the atmosphere "paper"
   ScatteredLight scattered_light = ScatteredLight::automatic;
   bool starlight = false;
-  Solver solver =
-      Solver::automatic;  ///< automatic: the quicker, or photons where `photons` is given
+  /// automatic: the quickest, or photons by the table where `photons` is given
+  Solver solver = Solver::automatic;
   plan::Wish wish{.tolerance = 0.01};
   plan::ByHand by_hand{};  ///< settings in place of planned ones, but for solver and photons
   std::optional<double> photons{};  ///< 1 to 1e12; without: as many as the tolerance asks for
-  shadow::Trace trace = shadow::Trace::table;
-  photons::Precision precision = photons::Precision::full;  ///< of photons that are marched
-  double step_km = 1;                                       ///< length of a step of a photon's path
-  double ring_km = 50;      ///< width of the rings that gather photons
+  double step_km = 1;               ///< length of a step of a photon's path
+  double ring_km = 50;              ///< width of the rings that gather photons
   double smoothing_km = 0;  ///< standard deviation of the Gaussian that smooths them, 0 to 2000
   std::uint64_t seed = 1;   ///< of the photons
   PhotonFiles photon_files{};

@@ -10,6 +10,7 @@
 #include "almanac/sky.h"
 #include "atmosphere/observer_air.h"
 #include "texture/image.h"
+#include "uses/light/photometric_bands.h"
 
 namespace coppermoon::uses {
 
@@ -26,9 +27,50 @@ Photometer photometer(const std::optional<atmosphere::Sightline>& sightline = {}
 /// Measures of the whole disc.
 struct DiscBrightness {
   std::vector<double> magnitudes;  ///< [band]; infinite when nothing is lit
-  double mean_luminance_cd_m2;
-  double illuminance_lx;  ///< on a surface that faces the Moon
+  double mean_luminance_cd_m2 = 0;
+  double illuminance_lx = 0;  ///< on a surface that faces the Moon
 };
+
+template <class Field>
+void describe_magnitudes(Field&& is, const DiscBrightness& disc) {
+  is("magnitudes", by_band(disc.magnitudes), algebra::unit::mag,
+     "magnitudes of the whole Moon by band: B and V (Johnson), R (Cousins)");
+}
+
+template <class Field>
+void describe_light(Field&& is, const DiscBrightness& disc) {
+  is("mean_luminance_cd_m2", disc.mean_luminance_cd_m2, algebra::unit::luminance,
+     "luminance, the mean over the disc");
+  is("illuminance_lx", disc.illuminance_lx, algebra::unit::illuminance,
+     "illuminance on a surface that faces the Moon");
+}
+
+/// Magnitudes with a key for each band, `where` behind their meaning.
+///
+/// Given  disc  none: of numbers that are not known
+template <class Field>
+void describe_magnitude_columns(Field&& is, const DiscBrightness* disc, const std::string& prefix,
+                                const std::string& where) {
+  const auto bands = photometric_bands();
+  for (std::size_t k = 0; k < bands.size(); ++k)
+    is(prefix + bands[k].name + "_magnitude",
+       disc && k < disc->magnitudes.size() ? std::optional(disc->magnitudes[k]) : std::nullopt,
+       algebra::unit::mag, bands[k].name + " magnitude of the whole Moon" + where);
+}
+
+/// What is measured of a disc, all in columns.
+///
+/// Given  disc  none: of numbers that are not known
+template <class Field>
+void describe_columns(Field&& is, const DiscBrightness* disc, const std::string& prefix,
+                      const std::string& where) {
+  describe_magnitude_columns(is, disc, prefix, where);
+  is(prefix + "mean_luminance_cd_m2",
+     disc ? std::optional(disc->mean_luminance_cd_m2) : std::nullopt, algebra::unit::luminance,
+     "luminance, the mean over the disc" + where);
+  is(prefix + "illuminance_lx", disc ? std::optional(disc->illuminance_lx) : std::nullopt,
+     algebra::unit::illuminance, "illuminance on a surface that faces the Moon" + where);
+}
 
 /// Given  texture  plate carrée, the photometer's channels
 ///        from_m   the place it is seen from, geocentric, GCRS axes; the Earth's centre

@@ -12,6 +12,13 @@ std::vector<PhotometricBand> photometric_bands() {
   return {{"B", v + b_minus_v}, {"V", v}, {"R", v - v_minus_r}};
 }
 
+algebra::ByName<double> by_band(const std::vector<double>& numbers) {
+  const auto bands = photometric_bands();
+  algebra::ByName<double> named;
+  for (std::size_t k = 0; k < numbers.size(); ++k) named.emplace_back(bands[k].name, numbers[k]);
+  return named;
+}
+
 algebra::Grid<double> photometric_response(std::span<const double> edges_nm) {
   const auto table = algebra::parse_table(light::tables::johnson_cousins_bessell_1990(),
                                           "johnson_cousins_bessell_1990.csv");

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "algebra/described.h"
 #include "algebra/grid.h"
 
 namespace coppermoon::uses {
@@ -24,6 +25,11 @@ inline constexpr std::size_t V_band = 1;
 /// Source  V = −26.76, B − V = 0.653, V − R = 0.356: Ramírez et al. (2012), ApJ 752, 5; Willmer
 ///         (2018), ApJS 236, 47
 std::vector<PhotometricBand> photometric_bands();
+
+/// Numbers of the bands by their names.
+///
+/// Given  numbers  [band]; empty: of no band
+algebra::ByName<double> by_band(const std::vector<double>& numbers);
 
 /// Response of these bands to irradiance, [band][wavelength band], peak 1 times the width [nm].
 ///

@@ -5,7 +5,6 @@
 #include <tbb/parallel_for.h>
 
 #include <cmath>
-#include <limits>
 
 #include "algebra/error.h"
 #include "almanac/instant.h"
@@ -64,7 +63,8 @@ BrightnessSeen seen_of(const Measurable& moon, const texture::Image& above,
   const auto place = apparent_place(observer, sky);
   const ClearSky clear(observer, sky, air_over(observer, moon.view),
                        brightness.disc.magnitudes[V_band]);
-  BrightnessSeen seen{place,
+  BrightnessSeen seen{observer,
+                      place,
                       measured(meter, from.sightline ? moon.in(meter, sky) : above, sky, from_m),
                       {},
                       clear.towards(in_sky(place.altitude, place.azimuth)).sum()};
@@ -77,7 +77,7 @@ BrightnessSeen seen_of(const Measurable& moon, const texture::Image& above,
 MoonBrightness Measurable::at(const almanac::SkyState& sky) const {
   const auto meter = photometer();
   const auto texture = in(meter, sky);
-  MoonBrightness brightness{measured(meter, texture, sky), {}};
+  MoonBrightness brightness{sky.when, measured(meter, texture, sky), {}};
   if (!moon.unshadowed && in_totality(sky.when)) {
     brightness.danjon = danjon_estimate(brightness.disc.magnitudes[V_band]);
     brightness.V_error = totality_error_mag(moon.light.air, almanac::year_of(sky.when));
@@ -88,6 +88,10 @@ MoonBrightness Measurable::at(const almanac::SkyState& sky) const {
 }
 
 }  // namespace
+
+double level_illuminance_lx(const BrightnessSeen& seen) {
+  return seen.disc.illuminance_lx * std::max(0., std::sin(algebra::in_radians(seen.moon.altitude)));
+}
 
 std::optional<double> totality_error_mag(const Air& air, double year) {
   const bool dated = air.atmosphere == "standard" || air.atmosphere == "calibrated";
@@ -143,39 +147,12 @@ LightCurve light_curve(const MoonRequest& moon, const std::vector<almanac::Insta
                                   : light_on_the_way(moon.light, moon_on_its_way(moon.light, skies),
                                                      {.error_told = false}, progress),
                               texture::resized(normal_albedo(moon), rows), !moon.unshadowed};
-  std::vector<MoonBrightness> all(moments.size());
-  tbb::parallel_for(std::size_t{0}, moments.size(),
-                    [&](std::size_t i) { all[i] = measurable.at(almanac::sky_at(moments[i])); });
-  LightCurve curve{moments, {}};
-  const auto add = [&](const std::string& name, const auto& number_of) {
-    auto& numbers = curve.columns.emplace_back(name, std::vector<double>{}).second;
-    for (const auto& each : all) numbers.push_back(number_of(each));
-  };
-  const auto add_disc = [&](const std::string& prefix, const auto& add_number) {
-    for (std::size_t k = 0; k < photometric_bands().size(); ++k)
-      add_number(fmt::format("{}{}_magnitude", prefix, photometric_bands()[k].name),
-                 [k](const auto& bright) { return bright.disc.magnitudes[k]; });
-    add_number(prefix + "mean_luminance_cd_m2",
-               [](const auto& bright) { return bright.disc.mean_luminance_cd_m2; });
-    add_number(prefix + "illuminance_lx",
-               [](const auto& bright) { return bright.disc.illuminance_lx; });
-  };
-  add_disc("", add);
-  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  add("V_error", [](const auto& bright) { return bright.V_error.value_or(none); });
-  if (!view.observer) return curve;
-  const auto add_seen = [&](const std::string& name, const auto& number_of) {
-    add(name, [&](const auto& bright) { return bright.seen ? number_of(*bright.seen) : none; });
-  };
-  add_seen("altitude_deg",
-           [](const auto& seen) { return algebra::in_degrees(seen.moon.altitude); });
-  add_seen("azimuth_deg", [](const auto& seen) { return algebra::in_degrees(seen.moon.azimuth); });
-  add_disc("seen_", add_seen);
-  add_seen("seen_level_illuminance_lx", [](const auto& seen) {
-    return seen.disc.illuminance_lx *
-           std::max(0., std::sin(algebra::in_radians(seen.moon.altitude)));
+  LightCurve curve;
+  curve.moments.resize(moments.size());
+  tbb::parallel_for(std::size_t{0}, moments.size(), [&](std::size_t i) {
+    curve.moments[i] = {measurable.at(almanac::sky_at(moments[i])), view.observer.has_value(), {}};
   });
-  add_seen("sky_cd_m2", [](const auto& seen) { return seen.sky_cd_m2; });
+  curve.columns = result::columns_of(curve.moments);
   return curve;
 }
 

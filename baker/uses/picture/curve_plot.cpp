@@ -16,7 +16,8 @@ std::string rows_of(const LightCurve& curve, const eclipse::Eclipse& eclipse,
   std::string rows;
   for (std::size_t i = 0; i < numbers.size(); ++i)
     rows += std::isfinite(numbers[i])
-                ? fmt::format("{:.6f},{:.6g}\n", hours_from_greatest(eclipse, curve.moments[i]),
+                ? fmt::format("{:.6f},{:.6g}\n",
+                              hours_from_greatest(eclipse, curve.moments[i].brightness.instant),
                               numbers[i])
                 : "\n";
   return rows;
@@ -47,7 +48,8 @@ Plot plot_over(const eclipse::Eclipse& eclipse, const almanac::Instant& from,
 }
 
 Plot plot_of(const LightCurve& curve, const eclipse::Eclipse& eclipse, const std::string& place) {
-  auto plot = plot_over(eclipse, curve.moments.front(), curve.moments.back());
+  auto plot = plot_over(eclipse, curve.moments.front().brightness.instant,
+                        curve.moments.back().brightness.instant);
   plot.panels = {{{.label = "magnitude", .reversed = true}, {}},
                  {{.label = "illuminance, facing the Moon [lx]", .logarithmic = true}, {}}};
   const std::map<std::string, const char*> colours{

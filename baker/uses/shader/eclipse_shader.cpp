@@ -31,6 +31,10 @@ nlohmann::ordered_json facts_of(const EclipseShader& shader, const ShaderHead& h
           {"strip", head.strip},
           {"columns", shader.strip.roots.width},
           {"rows", shader.strip.roots.height},
+          {"sectors", shader.strip.sectors},
+          {"stretches", shader.strip.stretches},
+          {"ends_km", shader.strip.ends_km},
+          {"middle_km", shader.strip.middle_km()},
           {"error", shader.strip.error},
           {"colour_space", head.colour_space},
           {"version", version()},
@@ -39,7 +43,9 @@ nlohmann::ordered_json facts_of(const EclipseShader& shader, const ShaderHead& h
 
 ShaderHead head_of(const EclipseShader& shader, const ShaderRequest& request,
                    const std::string& strip) {
-  return {title(shader.eclipse), almanac::utc_text(shader.eclipse.greatest),
+  const auto held =
+      shader.moment ? fmt::format(", held at {}", almanac::utc_text(*shader.moment)) : "";
+  return {title(shader.eclipse) + held, almanac::utc_text(shader.eclipse.greatest),
           std::string(colour::name(request.space)), strip,
           -algebra::in_radians(
               eclipse::shadow_axis(almanac::sky_at(shader.eclipse.greatest)).sun_declination)};
@@ -60,19 +66,21 @@ texture::Attributes header_of(const ShaderHead& head, const std::string& recipe)
   return header;
 }
 
-std::string scene_of(const eclipse::Eclipse& eclipse, const ShaderHead& head) {
-  const auto contacts = eclipse::contacts_of(eclipse);
+std::string scene_of(const EclipseShader& shader, const ShaderHead& head) {
+  const auto contacts = eclipse::contacts_of(shader.eclipse);
   const auto seconds = [&](const almanac::Instant& when) {
-    return almanac::seconds_between(eclipse.greatest, when);
+    return almanac::seconds_between(shader.eclipse.greatest, when);
   };
+  const auto film = fmt::format("+KFF24 +KI{:.0f} +KF{:.0f} ", seconds(contacts.front().second),
+                                seconds(contacts.back().second));
   return fmt::format(
       R"(// SPDX-License-Identifier: MIT
 // {}, seen from the Earth's centre, made by coppermoon for POV-Ray 3.7.
 //
-//   povray eclipse.pov +KFF24 +KI{:.0f} +KF{:.0f} +W480 +H480 +FE +A0.0 +AM2 +R2 -J
+//   povray eclipse.pov {}+W480 +H480 +FE +A0.0 +AM2 +R2 -J
 //
-// renders 24 frames, from the first contact to the last: clock is seconds from greatest eclipse. The frames are in cd/m2:
-// develop them with `coppermoon develop`.
+// renders {} in cd/m2:
+// develop {} with `coppermoon develop`.
 #version 3.7;
 global_settings {{ assumed_gamma 1.0 }}
 #include "eclipse.inc"
@@ -92,23 +100,29 @@ camera {{
 // of `coppermoon bake {} --unshadowed -o moon.exr`, in cd/m2, or a map of your own times its sunlight.
 Eclipse_Moon(pigment {{ rgb 4000 }})
 )",
-      head.title, seconds(contacts.front().second), seconds(contacts.back().second),
-      head.greatest.substr(0, head.greatest.find('T')));
+      head.title, shader.moment ? "" : film,
+      shader.moment ? "a frame"
+                    : "24 frames, from the first contact to the last: clock is seconds from "
+                      "greatest eclipse. The frames are",
+      shader.moment ? "it" : "them", head.greatest.substr(0, head.greatest.find('T')));
 }
 
 }  // namespace
 
 EclipseShader eclipse_shader(const eclipse::Eclipse& eclipse, const ShaderRequest& request,
-                             const algebra::Progress& progress) {
+                             const algebra::Progress& progress,
+                             const std::optional<almanac::Instant>& moment) {
   EclipseShader shader;
+  shader.moment = moment;
   shader.eclipse = eclipse;
   shader.eclipse.greatest = almanac::instant_from_utc(almanac::utc_text(eclipse.greatest));
-  shader.motion = shadow_motion(shader.eclipse);
+  shader.motion = moment ? held_at(*moment) : shadow_motion(shader.eclipse);
   const double radius_km = algebra::in_kilometres(almanac::lunar_radius);
   // the Moon's farther half is never in sunlight
-  shader.strip = light_strip(request, almanac::sky_at(shader.eclipse.greatest),
-                             (shader.motion.nearest - 1) * radius_km,
-                             shader.motion.farthest * radius_km, progress);
+  const double from = shader.motion.nearest - (moment ? 0.5 : 1),
+               to = shader.motion.farthest - (moment ? 0.5 : 0);
+  shader.strip = light_strip(request, almanac::sky_at(moment.value_or(shader.eclipse.greatest)),
+                             from * radius_km, to * radius_km, progress);
   shader.formula = shadow_formula(shader.motion, shader.strip);
   return shader;
 }
@@ -127,8 +141,8 @@ std::vector<std::string> write_shader(const fs::path& folder, const EclipseShade
       {"eclipse.osl", files::stamped(osl_of(shader.formula, head), "//")},
       {"eclipse.glsl", files::stamped(glsl_of(shader.formula, head), "//")},
       {"eclipse.mtlx", files::stamped(materialx_of(shader.formula, head), "<!--", " -->")},
-      {"eclipse.inc", files::stamped(povray_of(shader.formula, head), "//")},
-      {"eclipse.pov", files::stamped(scene_of(shader.eclipse, head), "//")}};
+      {"eclipse.inc", files::stamped(povray_of(shader.motion, shader.strip, head), "//")},
+      {"eclipse.pov", files::stamped(scene_of(shader, head), "//")}};
   for (const auto& [name, text] : texts) files::require_stamped(folder / name);
   for (const auto* name : {strip_file, "eclipse.json"}) files::require_no_link(folder / name);
   fs::create_directories(folder);

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,21 +13,23 @@
 
 namespace coppermoon::uses {
 
-/// A whole eclipse as one small image and the formula that reads it.
+/// An eclipse as one small image and the formula that reads it.
 struct EclipseShader {
-  eclipse::Eclipse eclipse;  ///< its greatest phase at a whole second
+  eclipse::Eclipse eclipse;                ///< its greatest phase at a whole second
+  std::optional<almanac::Instant> moment;  ///< that is held; without: the whole eclipse
   ShadowMotion motion;
   LightStrip strip;
   Formula formula;
 };
 
-/// Shader of an eclipse.
+/// Shader of an eclipse, or of one moment of it: one plane through the middle of the Moon's near half.
 ///
 /// Accuracy  a sunlit Moon times the light is within the strip's error of the brightest channel of a baked Moon, beside
 ///           that one's own error; where ground has another colour than the Moon's mean, 1 % more in the umbra
 /// Throws    Error  as light_strip
 EclipseShader eclipse_shader(const eclipse::Eclipse& eclipse, const ShaderRequest& request,
-                             const algebra::Progress& progress = {});
+                             const algebra::Progress& progress = {},
+                             const std::optional<almanac::Instant>& moment = {});
 
 /// Writes a shader's strip, .exr.
 ///

@@ -39,21 +39,15 @@ enum class Operation {
 struct Step {
   Operation operation;
   ValueKind kind;
-  std::vector<std::size_t> operands;  ///< earlier steps
-  std::array<double, 3> constant{};   ///< of `constant`; a number stands first
-  std::string name{}, meaning{};      ///< empty: a part of one expression
+  std::vector<std::size_t> operands{};  ///< earlier steps
+  std::array<double, 3> constant{};     ///< of `constant`; a number stands first
+  std::string name{}, meaning{};        ///< empty: a part of one expression
 };
 
-/// A formula as steps, each after its operands; the last is its result.
-struct Formula {
-  std::vector<Step> steps;
+/// Steps, each after its operands; the last is the result.
+using Formula = std::vector<Step>;
 
-  std::size_t result() const { return steps.size() - 1; }
-  /// Whether a step's value changes from place to place.
-  bool varies(std::size_t step) const;
-};
-
-/// Light over full sunlight at a place of the Moon and a time, as every language's shader computes it.
+/// Light over full sunlight at a place of the Moon and a time, from which the shaders are written.
 Formula shadow_formula(const ShadowMotion& motion, const LightStrip& strip);
 
 }  // namespace coppermoon::uses

@@ -214,6 +214,7 @@ LightStrip light_strip(const ShaderRequest& request, const almanac::SkyState& sk
   strip.stretches = fewest_stretches;
   strip.nearest_km = nearest_km;
   strip.farthest_km = farthest_km;
+  if (nearest_km == farthest_km) strip.planes = 1;
   cut.arrangement.depths_m.clear();
   for (std::size_t p = 0; p < strip.planes; ++p)
     cut.arrangement.depths_m.push_back(strip.depth_km(p) * 1e3);

@@ -24,7 +24,7 @@ struct ShaderRequest {
   std::optional<atmosphere::Sightline> sightline{};
 };
 
-/// Light in the shadow of a whole eclipse as one small image, which shaders read:
+/// Light in the shadow of an eclipse as one small image, which shaders read:
 ///
 ///     columns   nodes of the axis distance in the middle plane, evenly spaced in each of four stretches
 ///     rows      plane by plane, the nearest first: position angles from celestial north through east, equally
@@ -37,22 +37,23 @@ struct LightStrip {
   std::array<double, 4> ends_km{};         ///< axis distances at which the stretches end
   std::array<int, 4> stretches{};          ///< numbers of nodes from one end to the next
   std::size_t sectors = 1;                 ///< position angles
-  std::size_t planes = 2;                  ///< at equal distances
+  std::size_t planes = 2;                  ///< at equal distances; one for a moment
   double nearest_km = 0, farthest_km = 0;  ///< depths of the first plane and the last
   double error = 0;                        ///< found, of the brightest channel
 
   double middle_km() const { return (nearest_km + farthest_km) / 2; }
   double depth_km(std::size_t plane) const {
-    return std::lerp(nearest_km, farthest_km,
-                     static_cast<double>(plane) / static_cast<double>(planes - 1));
+    return plane == 0 ? nearest_km
+                      : std::lerp(nearest_km, farthest_km,
+                                  static_cast<double>(plane) / static_cast<double>(planes - 1));
   }
 };
 
 /// Strip of the light of a request. It has 591 columns and 97 rows a plane. Where straight lines between texels err by more
 /// than 0.6 % of the brightest channel, there are up to four times as many.
 ///
-/// Given     sky        of the greatest eclipse: air, and the Sun's distance
-///           nearest_km, farthest_km  depths of the first plane and the last [km]
+/// Given     sky        of the greatest eclipse, or of the moment: air, and the Sun's distance
+///           nearest_km, farthest_km  depths of the first plane and the last [km]; equal: one plane
 /// Accuracy  its `error` is told: the largest between all texels, and the largest of the light at some 1 700 places (750
 ///           with regions) against a finer quadrature. It bounds the error at 95 of 100 places between them, also where
 ///           it is above 1 %

@@ -26,8 +26,8 @@ std::string osl_of(const Formula& formula, const ShaderHead& head);
 /// Document of MaterialX with the node graph `eclipse_shadow`.
 std::string materialx_of(const Formula& formula, const ShaderHead& head);
 
-/// Include file for POV-Ray: macros Eclipse_At and Eclipse_Moon.
-std::string povray_of(const Formula& formula, const ShaderHead& head);
+/// Include file for POV-Ray: macros Eclipse_At and Eclipse_Moon. It holds the formula of shadow_formula.
+std::string povray_of(const ShadowMotion& motion, const LightStrip& strip, const ShaderHead& head);
 
 /// Prims of UsdShade, MaterialX's nodes, within a scope; their sphere's north is +Y, its longitude 0 +Z.
 ///

@@ -63,4 +63,14 @@ ShadowMotion shadow_motion(const eclipse::Eclipse& eclipse) {
   return motion;
 }
 
+ShadowMotion held_at(const almanac::Instant& when) {
+  const auto moon = moon_at(when);
+  ShadowMotion held{.half_s = margin_s, .nearest = moon.centre.z, .farthest = moon.centre.z};
+  for (int k = 0; k < 3; ++k) {
+    held.centre[static_cast<std::size_t>(k)] = {moon.centre[k]};
+    held.axes[static_cast<std::size_t>(k)] = {moon.rows[k]};
+  }
+  return held;
+}
+
 }  // namespace coppermoon::uses

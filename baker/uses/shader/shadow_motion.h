@@ -30,4 +30,7 @@ struct ShadowMotion {
 /// Accuracy  0.1 km on the Moon
 ShadowMotion shadow_motion(const eclipse::Eclipse& eclipse);
 
+/// Place of the Moon at one moment, held at all times.
+ShadowMotion held_at(const almanac::Instant& when);
+
 }  // namespace coppermoon::uses

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/args.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <array>
 #include <map>
 
 #include "uses/shader/shader_languages.h"
@@ -10,23 +9,48 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Words of a language whose expressions are like C's.
+using Operation::add, Operation::subtract, Operation::multiply, Operation::divide;
+
+/// Words of a language whose expressions are like C's. Another such language is a row like these.
 struct Language {
-  std::string vector, colour, literal;  ///< types, and a vector's constructor
-  std::string time;                     ///< name of the input; OSL has a `time` of its own
-  std::string arc_tangent;
-  std::string texel;  ///< of {0}, {1}
+  std::string vector, colour;  ///< types
+  std::string time;            ///< name of that input
+  std::map<Operation, const char*> words{};
 };
 
-const Language glsl{"vec3", "vec3", "vec3",
-                    "time", "atan", "texture(eclipse_strip, vec2({}, {})).rgb"};
-const Language osl{"vector",
-                   "color",
-                   "vector",
-                   "seconds",
-                   "atan2",
-                   "(color)texture(strip, {}, {}, \"width\", 0, \"blur\", 0, \"wrap\", \"clamp\", "
-                   "\"interp\", \"linear\")"};
+/// What these languages have in common.
+const std::map<Operation, const char*> common_words{
+    {Operation::place, "place"},
+    {add, "{} + {}"},
+    {subtract, "{} - {}"},
+    {multiply, "{} * {}"},
+    {divide, "{} / {}"},
+    {Operation::minimum, "min({}, {})"},
+    {Operation::clamp, "clamp({}, 0.0, 1.0)"},
+    {Operation::dot, "dot({}, {})"},
+    {Operation::normalize, "normalize({})"},
+    {Operation::square_root, "sqrt({})"},
+    {Operation::floor, "floor({})"},
+    {Operation::mix, "mix({}, {}, {})"},
+};
+
+const Language glsl{
+    "vec3",
+    "vec3",
+    "time",
+    {{Operation::arc_tangent, "atan({}, {})"},
+     {Operation::texel, "texture(eclipse_strip, vec2({}, {})).rgb"}},
+};
+
+const Language osl{
+    "vector",
+    "color",
+    "seconds",  // OSL has a `time` of its own
+    {{Operation::arc_tangent, "atan2({}, {})"},
+     {Operation::texel,
+      "(color)texture(strip, {}, {}, \"width\", 0, \"blur\", 0, \"wrap\", \"clamp\", "
+      "\"interp\", \"linear\")"}},
+};
 
 std::string literal(double number) {
   auto text = fmt::format("{:.9g}", number);
@@ -34,127 +58,85 @@ std::string literal(double number) {
   return text;
 }
 
+/// How closely an expression holds together, and how closely an operand must.
+enum class Binding { sum, product, whole };
+
+Binding binding(Operation operation) {
+  if (operation == add || operation == subtract) return Binding::sum;
+  return operation == multiply || operation == divide ? Binding::product : Binding::whole;
+}
+
 /// Writer of a formula's steps as expressions.
 struct ExpressionWriter {
   const Formula& formula;
   const Language& language;
 
-  const std::string& type(ValueKind kind) const {
-    static const std::string number = "float";
-    return kind == ValueKind::number   ? number
-           : kind == ValueKind::vector ? language.vector
-                                       : language.colour;
-  }
-
-  const std::string& name(const Step& step) const {
-    return step.operation == Operation::time ? language.time : step.name;
-  }
-
-  /// A step within an expression: its name, or what it is computed from.
-  std::string operand(std::size_t step) const {
-    const auto& all = formula.steps[step];
-    if (!all.name.empty()) return name(all);
+  /// An operand: its name, or what it is computed from, in parentheses where it must be.
+  std::string operand(std::size_t step, Binding needed) const {
+    const auto& part = formula[step];
+    if (part.operation == Operation::time) return language.time;
+    if (!part.name.empty()) return part.name;
     const auto text = expression(step);
-    switch (all.operation) {
-      case Operation::add:
-      case Operation::subtract:
-      case Operation::multiply:
-      case Operation::divide:
-        return "(" + text + ")";
-      default:
-        return all.operation == Operation::constant && text.starts_with('-') ? "(" + text + ")"
-                                                                             : text;
-    }
+    const auto bound = text.starts_with('-') ? Binding::sum : binding(part.operation);
+    return bound < needed ? "(" + text + ")" : text;
   }
 
   std::string expression(std::size_t step) const {
-    const auto& all = formula.steps[step];
-    const auto of = [&](std::size_t i) { return operand(all.operands[i]); };
-    const auto bare = [&](std::size_t i) {
-      const auto& part = formula.steps[all.operands[i]];
-      return part.name.empty() ? expression(all.operands[i]) : name(part);
-    };
-    switch (all.operation) {
-      case Operation::place:
-      case Operation::time:
-        return name(all);
-      case Operation::constant:
-        if (all.kind == ValueKind::number) return literal(all.constant[0]);
-        return fmt::format("{}({}, {}, {})", language.literal, literal(all.constant[0]),
-                           literal(all.constant[1]), literal(all.constant[2]));
-      case Operation::add:
-        return sum_of(all.operands[0]) + added(all.operands[1]);
-      case Operation::subtract:
-        return fmt::format("{} - {}", sum_of(all.operands[0]), of(1));
-      case Operation::multiply:
-        return fmt::format("{} * {}", of(0), of(1));
-      case Operation::divide:
-        return fmt::format("{} / {}", of(0), of(1));
-      case Operation::minimum:
-        return fmt::format("min({}, {})", bare(0), bare(1));
-      case Operation::clamp:
-        return fmt::format("clamp({}, 0.0, 1.0)", bare(0));
-      case Operation::dot:
-        return fmt::format("dot({}, {})", bare(0), bare(1));
-      case Operation::normalize:
-        return fmt::format("normalize({})", bare(0));
-      case Operation::square_root:
-        return fmt::format("sqrt({})", bare(0));
-      case Operation::arc_tangent:
-        return fmt::format("{}({}, {})", language.arc_tangent, bare(0), bare(1));
-      case Operation::floor:
-        return fmt::format("floor({})", bare(0));
-      case Operation::mix:
-        return fmt::format("mix({}, {}, {})", bare(0), bare(1), bare(2));
-      case Operation::texel:
-        return fmt::format(fmt::runtime(language.texel), bare(0), bare(1));
+    const auto& all = formula[step];
+    const auto& [x, y, z] = all.constant;
+    if (all.operation == Operation::constant)
+      return all.kind == ValueKind::number ? literal(x)
+                                           : fmt::format("{}({}, {}, {})", language.vector,
+                                                         literal(x), literal(y), literal(z));
+    const auto found = language.words.find(all.operation);
+    const auto* words =
+        found == language.words.end() ? common_words.at(all.operation) : found->second;
+    fmt::dynamic_format_arg_store<fmt::format_context> operands;
+    const auto own = binding(all.operation);
+    for (std::size_t k = 0; k < all.operands.size(); ++k) {
+      const auto needed = own == Binding::product        ? Binding::whole
+                          : own == Binding::sum && k > 0 ? Binding::product
+                                                         : Binding::sum;
+      auto text = operand(all.operands[k], needed);
+      if (all.operation == add && k == 1 && text.starts_with("(-") &&
+          formula[all.operands[k]].operation == Operation::constant) {
+        words = common_words.at(subtract);
+        text = text.substr(2, text.size() - 3);
+      }
+      operands.push_back(text);
     }
-    return {};
-  }
-
-  /// Operand of a sum or difference that needs no parentheses where it is a product, or a sum that stands first.
-  std::string sum_of(std::size_t step, bool first = true) const {
-    const auto& all = formula.steps[step];
-    const bool sum = all.operation == Operation::add || all.operation == Operation::subtract,
-               product = all.operation == Operation::multiply || all.operation == Operation::divide;
-    return all.name.empty() && (product || (first && sum)) ? expression(step) : operand(step);
-  }
-
-  /// Second operand of a sum with its sign.
-  std::string added(std::size_t step) const {
-    const auto& all = formula.steps[step];
-    const bool negative = all.operation == Operation::constant && all.name.empty() &&
-                          all.kind == ValueKind::number && all.constant[0] < 0;
-    return negative ? " - " + literal(-all.constant[0]) : " + " + sum_of(step, false);
+    return fmt::vformat(words, operands);
   }
 
   /// Named steps as lines, without the inputs and the result.
   std::string lines() const {
+    const std::map<ValueKind, std::string> types{{ValueKind::number, "float"},
+                                                 {ValueKind::vector, language.vector},
+                                                 {ValueKind::colour, language.colour}};
     std::string text;
-    for (std::size_t i = 0; i < formula.result(); ++i) {
-      const auto& step = formula.steps[i];
-      const bool input = step.operation == Operation::place || step.operation == Operation::time;
-      if (step.name.empty() || input) continue;
+    for (std::size_t i = 0; i + 1 < formula.size(); ++i) {
+      const auto& step = formula[i];
+      if (step.name.empty() || step.operands.empty()) continue;
       if (!step.meaning.empty()) text += fmt::format("  // {}\n", step.meaning);
-      text += fmt::format("  {} {} = {};\n", type(step.kind), step.name, expression(i));
+      text += fmt::format("  {} {} = {};\n", types.at(step.kind), step.name, expression(i));
     }
     return text;
   }
+
+  std::string result() const { return expression(formula.size() - 1); }
 };
 
 /// What every shader's head says.
 std::string head_of(const ShaderHead& head, const Language& language) {
   return fmt::format(
-      "// SPDX-License-Identifier: MIT\n"
-      "// {}: light on the Moon over full sunlight, made by coppermoon.\n"
-      "//\n"
-      "//   place    point of the Moon on Moon-fixed axes, of any length: +X longitude 0, +Y 90 "
-      "degrees east, +Z north\n"
-      "//   {:<8} seconds from greatest eclipse, {} UTC\n"
-      "//   light    factor on the sunlit Moon, no unit, 1 in full sunlight; red, green and blue "
-      "of "
-      "{}\n"
-      "//\n",
+      R"(// SPDX-License-Identifier: MIT
+// {}: light on the Moon over full sunlight, made by coppermoon.
+//
+//   place    point of the Moon on Moon-fixed axes, of any length: +X longitude 0, +Y 90 degrees east, +Z north
+//   {:<8} seconds from greatest eclipse, {} UTC
+//   light    factor on the sunlit Moon, no unit, 1 in full sunlight; red, green and blue of {}
+//
+)",
       head.title, language.time, head.greatest, head.colour_space);
 }
 
@@ -162,27 +144,32 @@ std::string head_of(const ShaderHead& head, const Language& language) {
 
 std::string glsl_of(const Formula& formula, const ShaderHead& head) {
   const ExpressionWriter write{formula, glsl};
-  return head_of(head, write.language) +
+  return head_of(head, glsl) +
          fmt::format(
-             "// eclipse_strip is {}, its rows uploaded from the image's top, as numbers (no "
-             "sRGB), filtered linearly,\n"
-             "// clamped at its edges, without mipmaps; half floats (RGB16F) are enough.\n"
-             "uniform sampler2D eclipse_strip;\n\n"
-             "vec3 eclipse_light(vec3 place, float time) {{\n{}  return {};\n}}\n",
-             head.strip, write.lines(), write.expression(formula.result()));
+             R"(// eclipse_strip is {}, its rows uploaded from the image's top, as numbers (no sRGB), filtered linearly,
+// clamped at its edges, without mipmaps; half floats (RGB16F) are enough.
+uniform sampler2D eclipse_strip;
+
+vec3 eclipse_light(vec3 place, float time) {{
+{}  return {};
+}}
+)",
+             head.strip, write.lines(), write.result());
 }
 
 std::string osl_of(const Formula& formula, const ShaderHead& head) {
   const ExpressionWriter write{formula, osl};
-  return head_of(head, write.language) +
-         fmt::format(
-             "shader eclipse(\n"
-             "    string strip = \"{}\" [[ string widget = \"filename\" ]],\n"
-             "    vector place = transform(\"object\", P),\n"
-             "    float seconds = 0,\n"
-             "    output color light = 1)\n"
-             "{{\n{}  light = {};\n}}\n",
-             head.strip, write.lines(), write.expression(formula.result()));
+  return head_of(head, osl) + fmt::format(
+                                  R"(shader eclipse(
+    string strip = "{}" [[ string widget = "filename" ]],
+    vector place = transform("object", P),
+    float seconds = 0,
+    output color light = 1)
+{{
+{}  light = {};
+}}
+)",
+                                  head.strip, write.lines(), write.result());
 }
 
 }  // namespace coppermoon::uses

@@ -16,12 +16,8 @@ namespace {
 shadow::PhotonSettings photon_settings(const Trial& trial) {
   shadow::PhotonSettings settings;
   settings.photons = static_cast<std::uint64_t>(trial.photons);
-  settings.trace = trial.method == plan::Method::table     ? shadow::Trace::table
-                   : trial.method == plan::Method::marched ? shadow::Trace::marched
-                                                           : shadow::Trace::step_by_step;
-  if (trial.step_km > 0) settings.stepping.step_m = settings.marching.step_m = trial.step_km * 1e3;
-  settings.marching.precision =
-      trial.precision_bits == 32 ? photons::Precision::single : photons::Precision::full;
+  settings.literal = trial.solver == plan::Solver::literal;
+  if (trial.step_km > 0) settings.stepping.step_m = trial.step_km * 1e3;
   if (trial.rays > 0) settings.rays = static_cast<int>(trial.rays);
   settings.sectors = static_cast<std::size_t>(std::lround(most_replicas / trial.replicas));
   return settings;
@@ -31,7 +27,7 @@ shadow::RefractedLight light_by(const Trial& trial, const Yardstick& yardstick,
                                 const algebra::Progress& progress) {
   const auto& scene = yardstick.scene();
   const auto waves = wavelengths_nm(static_cast<int>(trial.wavelengths));
-  if (trial.method == plan::Method::quadrature)
+  if (trial.solver == plan::Solver::quadrature)
     return shadow::by_quadrature(scene.air, scene.arrangement, waves, yardstick.axis_distances_m(),
                                  {.rays = static_cast<int>(trial.rays)}, progress);
   return shadow::by_photons(scene.air, scene.arrangement, waves, photon_settings(trial), progress);
@@ -110,7 +106,7 @@ class Run {
     shadow::RefractedLight light;
     const double seconds = timed(trial, light);
     const auto errors = yardstick_.errors_of(light, trial.photons > 0);
-    if (is_middle && trial.method == plan::Method::quadrature) middle_ = {trial, std::move(light)};
+    if (is_middle && trial.solver == plan::Solver::quadrature) middle_ = {trial, std::move(light)};
     return {trial, {}, 0, seconds, errors, false};
   }
 

@@ -41,7 +41,7 @@ inline const RunLimits quick_limits{.longest_s = 3, .short_s = 0.1};
 
 /// Makes every trial of the sweeps, in their order.
 ///
-/// Seconds are those of the method, tables included. In a sweep of texture widths they are those of the bake, and the
+/// Seconds are those of the solver, tables included. In a sweep of texture widths they are those of the bake, and the
 /// picture's error is relative to the widest texture. A trial of photons that would exceed the limit is extrapolated
 /// from smaller ones that differ in photons and step alone: time on a straight line over photons by step, whose
 /// intercept is the time of tables; errors as N^(-1/2).

@@ -27,9 +27,9 @@ std::vector<Trial> Sweep::trials() const {
   return all;
 }
 
-std::vector<std::string> method_names() {
+std::vector<std::string> solver_names() {
   std::vector<std::string> names;
-  for (const auto method : plan::methods) names.emplace_back(name(method));
+  for (const auto solver : plan::solvers) names.emplace_back(name(solver));
   return names;
 }
 
@@ -37,22 +37,19 @@ std::vector<Sweep> sweeps(bool quick, double replicas) {
   const auto values = [=](const Values& few, const Values& all) { return quick ? few : all; };
   const double fewer = quick ? 10 : 1, step_km = quick ? 10 : 1, bands = quick ? 40 : 200,
                width = quick ? 256 : 512;
-  const Trial exact{.method = plan::Method::quadrature, .rays = 300, .texture_width = width};
-  const Trial table{.method = plan::Method::table,
+  const Trial exact{.solver = plan::Solver::quadrature, .rays = 300, .texture_width = width};
+  const Trial table{.solver = plan::Solver::table,
                     .photons = 1e6 / fewer,
                     .wavelengths = bands,
                     .rays = 300,
                     .replicas = 100,
                     .texture_width = width};
-  const Trial marched{.method = plan::Method::marched,
-                      .photons = 1e5 / fewer,
+  const Trial literal{.solver = plan::Solver::literal,
+                      .photons = 1e4 / fewer,
                       .step_km = step_km,
                       .wavelengths = bands,
                       .replicas = 100,
                       .texture_width = width};
-  auto stepped = marched;
-  stepped.method = plan::Method::step_by_step;
-  stepped.photons = 1e4 / fewer;
   const Values all_rays{30, 60, 100, 300, 1000, 3000},
       all_bands{3, 5, 10, 24, 32, 48, 80, 200, 400}, all_steps_km{30, 10, 3, 1, 0.3, 0.1};
   const auto decades = [&](const Values& few) {
@@ -68,17 +65,14 @@ std::vector<Sweep> sweeps(bool quick, double replicas) {
           with_at_most({in_ten_bands(table), "replicas", &Trial::replicas,
                         values({10, 100, 1000}, {1000, 100, 10, 1})},
                        replicas),
-          {marched, "photons", &Trial::photons, decades({1e3, 1e4})},
-          {marched, "step", &Trial::step_km, values({30, 10}, all_steps_km)},
-          {marched, "precision", &Trial::precision_bits, {32, 64}},
-          {stepped, "photons", &Trial::photons, decades({1e3, 1e4, 1e6})},
-          {stepped, "step", &Trial::step_km, values({30, 10, 3}, all_steps_km)}};
+          {literal, "photons", &Trial::photons, decades({1e3, 1e4, 1e6})},
+          {literal, "step", &Trial::step_km, values({30, 10, 3}, all_steps_km)}};
 }
 
-std::vector<Sweep> sweeps_of(std::span<const std::string> methods, std::vector<Sweep> sweeps) {
+std::vector<Sweep> sweeps_of(std::span<const std::string> solvers, std::vector<Sweep> sweeps) {
   std::erase_if(sweeps, [&](const Sweep& sweep) {
-    return !methods.empty() &&
-           std::ranges::find(methods, name(sweep.middle.method)) == methods.end();
+    return !solvers.empty() &&
+           std::ranges::find(solvers, name(sweep.middle.solver)) == solvers.end();
   });
   return sweeps;
 }

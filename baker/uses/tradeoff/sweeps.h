@@ -14,13 +14,12 @@ namespace coppermoon::uses {
 /// Largest number of replicas of a photon about the axis.
 inline constexpr double most_replicas = 1000;
 
-/// Method and its settings; 0 where the method has no such setting.
+/// Solver and its settings; 0 where the solver has no such setting.
 struct Trial {
-  plan::Method method = plan::Method::quadrature;
+  plan::Solver solver = plan::Solver::quadrature;
   double photons = 0, step_km = 0, wavelengths = 200, rays = 0;
   /// copies of each photon, evenly about the axis: gathered in 1000 / replicas sectors
   double replicas = 0;
-  double precision_bits = 64;
   double texture_width = 512;
 
   bool operator==(const Trial&) const = default;
@@ -39,18 +38,18 @@ struct Sweep {
 /// Setting of the sweep that times the bake alone, in the quadrature's light.
 inline constexpr std::string_view texture_sweep = "texture width";
 
-/// Names of all methods.
-std::vector<std::string> method_names();
+/// Names of all solvers.
+std::vector<std::string> solver_names();
 
-/// Sweeps of every method over every setting.
+/// Sweeps of every solver over every setting.
 ///
 /// Given  quick     few and small values
 ///        replicas  the most that the air allows: 1000 where it is symmetric about the axis, else half
 std::vector<Sweep> sweeps(bool quick, double replicas);
 
-/// Sweeps of some methods.
+/// Sweeps of some solvers.
 ///
-/// Given  methods  names from method_names(); empty: all
-std::vector<Sweep> sweeps_of(std::span<const std::string> methods, std::vector<Sweep> sweeps);
+/// Given  solvers  names from solver_names(); empty: all
+std::vector<Sweep> sweeps_of(std::span<const std::string> solvers, std::vector<Sweep> sweeps);
 
 }  // namespace coppermoon::uses

@@ -186,6 +186,11 @@ Flag add_run_switch(CLI::App& verb, const std::string& names, bool& value,
   return add_switch(verb, names, value, help).of(Affects::run);
 }
 
+void add_json_switch(CLI::App& verb, bool& value, std::vector<result::Fields> documents) {
+  add_run_switch(verb, "--json", value, "prints one JSON document");
+  dynamic_cast<Verb&>(verb).documents = std::move(documents);
+}
+
 CLI::App* add_verb(CLI::App& program, const std::string& name, const std::string& help) {
   return program.add_subcommand(std::make_shared<Verb>(program, name, help));
 }

@@ -14,6 +14,10 @@
 #include "files/endings.h"
 #include "request/parameter.h"
 
+namespace coppermoon::result {
+struct Fields;
+}  // namespace coppermoon::result
+
 namespace CLI {
 class App;
 class Option;
@@ -110,6 +114,9 @@ Flag add_switch(CLI::App& verb, const std::string& names, bool& value, const std
 
 /// A flag without a value that says how this run goes, as --json: no recipe holds it.
 Flag add_run_switch(CLI::App& verb, const std::string& names, bool& value, const std::string& help);
+
+/// Adds --json, and says which documents it prints (`coppermoon describe`).
+void add_json_switch(CLI::App& verb, bool& value, std::vector<result::Fields> documents);
 
 /// Returned  the new word of the command line
 CLI::App* add_verb(CLI::App& program, const std::string& name, const std::string& help);

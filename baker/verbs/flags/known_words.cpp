@@ -52,7 +52,6 @@ constexpr Meaning flags_elsewhere[] = {
     {"colour-space", "space"},
     {"color-space", "space"},
     {"accuracy", "tolerance"},
-    {"precision", "tolerance"},
     {"error", "tolerance"},
     {"samples", "photons"},
     {"rays", "photons"},
@@ -124,6 +123,12 @@ constexpr Meaning flags_elsewhere[] = {
     {"mp4", "movie"},
     {"danjon-scale", "danjon"},
     {"red", "danjon"},
+};
+
+/// Flags of earlier versions, and what to do now.
+constexpr Meaning flags_before[] = {
+    {"precision", "photons are no longer marched; --tolerance says how exact light is to be"},
+    {"trace", "the solver photons goes by a table, literal steps each photon as in the paper"},
 };
 
 /// Names of commands in other programs, and ours.
@@ -216,7 +221,13 @@ bool holds(const std::vector<std::string>& words, std::string_view word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+std::string_view since_there_is_no(std::string_view flag) {
+  const auto found = std::ranges::find(flags_before, flag, &Meaning::elsewhere);
+  return found == std::end(flags_before) ? std::string_view() : found->here;
+}
+
 std::string flag_suggested_for(std::string_view flag, const std::vector<std::string>& known) {
+  if (const auto now = since_there_is_no(flag); !now.empty()) return fmt::format("; {}", now);
   return suggested(flag, flags_elsewhere, known, "--");
 }
 

@@ -52,15 +52,14 @@ uses::LightRequest light_request(const LightOptions& options) {
   request.wish = wish_of(options.effort);
   if (options.key) request.photon_files.key = options.key();
   if (options.effort.quality == "paper") {
-    request.solver = uses::Solver::photons;
-    request.trace = shadow::Trace::step_by_step;
+    request.solver = uses::Solver::literal;
     request.photons = request.photons.value_or(1e7);
     request.by_hand.bands = request.by_hand.bands.value_or(200);
     if (!request.by_hand.terms) request.by_hand.terms = uses::everything_but("scattered-light");
   }
-  if (request.solver != uses::Solver::photons && request.photon_files.asked_for())
+  if (!plan::traces_photons(request.solver) && request.photon_files.asked_for())
     throw algebra::Error(
-        fmt::format("solver = {}, allowed photons with --shard, --keep or --add",
+        fmt::format("solver = {}, allowed photons or literal with --shard, --keep or --add",
                     request.solver == uses::Solver::quadrature ? "quadrature" : "auto"));
   return request;
 }

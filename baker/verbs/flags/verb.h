@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "request/parameter.h"
+#include "result/fields.h"
 
 namespace coppermoon::verbs {
 
@@ -17,7 +18,8 @@ struct Verb : CLI::App {
       : CLI::App(std::move(help), std::move(name), &program) {}
 
   request::Parameters parameters;
-  std::vector<std::string> typed;  ///< names of the flags on the command line itself
+  std::vector<result::Fields> documents;  ///< that --json prints: one of these
+  std::vector<std::string> typed;         ///< names of the flags on the command line itself
 };
 
 }  // namespace coppermoon::verbs

@@ -171,10 +171,12 @@ bool is_table(const Reading& reading, const Entry& entry) {
 void require_key(const Reading& reading, const Table& table, const Entry& entry) {
   if (holds(table.keys, entry.key)) return;
   const bool elsewhere = holds(long_flags(reading.verb), entry.key);
+  const auto now = since_there_is_no(entry.key);
   throw WrongUsage(fmt::format(
       "{}{}: {} has no such key; {}", reading.where(*entry.value), one_line(entry.key), table.name,
-      elsewhere ? "it belongs above all tables"
-                : "the nearest is " + request::nearest(entry.key, table.keys)));
+      elsewhere      ? "it belongs above all tables"
+      : !now.empty() ? std::string(now)
+                     : "the nearest is " + request::nearest(entry.key, table.keys)));
 }
 
 /// Refuses keys that say where files go, or how a run goes: a recipe may be a stranger's.

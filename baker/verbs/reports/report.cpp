@@ -23,8 +23,8 @@ nlohmann::ordered_json as_json(const plan::Plan& plan) {
                              {"predicted", {{"seconds", plan.seconds}, {"error", plan.error}}}};
   for (const auto& [term, size] : plan.left_out)
     all["left_out"].push_back({{"term", name(term)}, {"size", size}});
-  for (const auto& [method, seconds, error] : plan.methods)
-    all["methods"].push_back({{"method", name(method)}, {"seconds", seconds}, {"error", error}});
+  for (const auto& [solver, seconds, error] : plan.methods)
+    all["methods"].push_back({{"method", name(solver)}, {"seconds", seconds}, {"error", error}});
   if (plan.misses_tolerance) all["gave_way"] = "tolerance";
   if (plan.exceeds_budget) all["gave_way"] = "budget";
   return all;

@@ -18,9 +18,8 @@ struct Column {
   double Trial::*setting;
 };
 
-constexpr std::array<Column, 7> setting_columns{{{"photons", &Trial::photons},
+constexpr std::array<Column, 6> setting_columns{{{"photons", &Trial::photons},
                                                  {"step_km", &Trial::step_km},
-                                                 {"precision_bits", &Trial::precision_bits},
                                                  {"wavelengths", &Trial::wavelengths},
                                                  {"rays", &Trial::rays},
                                                  {"replicas", &Trial::replicas},
@@ -48,15 +47,14 @@ std::string number(double value) {
   return fmt::format("{:.3g}e{:g}", value / std::pow(10, power), power);
 }
 
-/// Settings that the method has, without the varied one.
+/// Settings that the solver has, without the varied one.
 std::string settings_of(const Measured& one) {
   std::string text;
   for (const auto& [column, setting] : setting_columns) {
     std::string name(column);
     std::ranges::replace(name, '_', ' ');
     const double value = one.trial.*setting;
-    const bool usual = setting == &Trial::precision_bits && value == 64;
-    if (value == 0 || usual || name.starts_with(one.varied)) continue;
+    if (value == 0 || name.starts_with(one.varied)) continue;
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, number(value));
   }
   return text;
@@ -69,26 +67,26 @@ std::string percent(double part) {
 /// Trials of the first sweep.
 std::span<const Measured> first_sweep(std::span<const Measured> all) {
   const auto end = std::ranges::find_if(all, [&](const Measured& one) {
-    return one.varied != all[0].varied || one.trial.method != all[0].trial.method;
+    return one.varied != all[0].varied || one.trial.solver != all[0].trial.solver;
   });
   return all.first(static_cast<std::size_t>(end - all.begin()));
 }
 
-constexpr std::string_view colour_of(plan::Method method) {
-  constexpr std::array<std::string_view, plan::methods.size()> colours{"#0072b2", "#d55e00",
-                                                                       "#009e73", "#6a3d9a"};
-  return colours[static_cast<std::size_t>(method)];
+constexpr std::string_view colour_of(plan::Solver solver) {
+  constexpr std::array<std::string_view, plan::solvers.size()> colours{"#0072b2", "#d55e00",
+                                                                       "#6a3d9a"};
+  return colours[static_cast<std::size_t>(solver)];
 }
 
 /// Filled symbol; the open one is the number before it.
 int symbol_of(std::string_view varied) {
-  constexpr std::array<std::string_view, 6> filled{"rays",     "photons", "wavelengths",
-                                                   "replicas", "step",    "precision"};
+  constexpr std::array<std::string_view, 5> filled{"rays", "photons", "wavelengths", "replicas",
+                                                   "step"};
   return 5 + 2 * static_cast<int>(std::ranges::find(filled, varied) - filled.begin());
 }
 
 bool is_the_papers(const Trial& trial) {
-  return trial.method == plan::Method::step_by_step && trial.photons == 1e7 && trial.step_km == 1 &&
+  return trial.solver == plan::Solver::literal && trial.photons == 1e7 && trial.step_km == 1 &&
          trial.wavelengths == 200 && trial.replicas == 100;
 }
 
@@ -118,20 +116,20 @@ void add(std::vector<uses::PlotCurve>& curves, uses::PlotCurve curve) {
 void add_sweep(std::vector<uses::PlotCurve>& curves, std::span<const Measured> sweep) {
   const auto& one = sweep[0];
   const auto look = [&](std::string_view as) {
-    return fmt::format("{} lc rgb '{}'", as, colour_of(one.trial.method));
+    return fmt::format("{} lc rgb '{}'", as, colour_of(one.trial.solver));
   };
   const int symbol = symbol_of(one.varied);
   const Which every = [](const Measured&) { return true; };
   add(curves, {rows_of(sweep, every), look("lines")});
   add(curves, {rows_of(sweep, [](const Measured& of) { return !of.extrapolated; }),
                look(fmt::format("points ps 0.9 pt {}", symbol)),
-               fmt::format("{}: {}", name(one.trial.method), one.varied)});
+               fmt::format("{}: {}", name(one.trial.solver), one.varied)});
   add(curves, {rows_of(sweep, [](const Measured& of) { return of.extrapolated; }),
                look(fmt::format("points ps 0.9 pt {}", symbol - 1))});
   if (apart(sweep.front(), sweep.back()))
     add(curves,
         {rows_of(std::array{sweep.front(), sweep.back()}, every),
-         fmt::format("labels offset 0,0.8 font ',9' tc rgb '{}'", colour_of(one.trial.method))});
+         fmt::format("labels offset 0,0.8 font ',9' tc rgb '{}'", colour_of(one.trial.solver))});
 }
 
 }  // namespace
@@ -142,7 +140,7 @@ std::string as_csv(std::span<const Measured> all) {
   for (const auto& figure : figures_of({})) text += fmt::format(",{}", figure.name);
   text += ",extrapolated\n";
   for (const auto& one : all) {
-    text += fmt::format("{},{},{:g}", name(one.trial.method), one.varied, one.value);
+    text += fmt::format("{},{},{:g}", name(one.trial.solver), one.varied, one.value);
     for (const auto& column : setting_columns) {
       const double value = one.trial.*column.setting;
       text += value == 0 ? "," : fmt::format(",{:g}", value);
@@ -162,7 +160,7 @@ std::string as_markdown(std::span<const Measured> all) {
   for (const auto& one : all)
     text +=
         fmt::format("| {} | {} | {} | {} | {:.3g} | {} | {} | {} | {} | {:.3g} | {:.3g} | {} |\n",
-                    name(one.trial.method), one.varied, number(one.value), settings_of(one),
+                    name(one.trial.solver), one.varied, number(one.value), settings_of(one),
                     one.seconds, percent(one.errors.umbra.rms), percent(one.errors.umbra.worst),
                     percent(one.errors.penumbra.rms), percent(one.errors.penumbra.worst),
                     one.errors.picture.mean, one.errors.picture.percentile_99,
@@ -174,7 +172,7 @@ nlohmann::ordered_json as_json(std::span<const Measured> all) {
   auto rows = nlohmann::ordered_json::array();
   for (const auto& one : all) {
     nlohmann::ordered_json row{
-        {"solver", name(one.trial.method)}, {"varied", one.varied}, {"value", one.value}};
+        {"solver", name(one.trial.solver)}, {"varied", one.varied}, {"value", one.value}};
     for (const auto& [name, setting] : setting_columns)
       row[std::string(name)] = one.trial.*setting == 0 ? nlohmann::ordered_json(nullptr)
                                                        : nlohmann::ordered_json(one.trial.*setting);

@@ -85,7 +85,7 @@ void add_moonlight(py::module_& package) {
           [](const LitSphere& m) { return array_of(uses::wavelengths_nm(m.plan.work.bands)); },
           "wavelengths that light was computed at [nm], shape (W,)")
       .def_property_readonly(
-          "method", [](const LitSphere& m) { return std::string(plan::name(m.plan.work.method)); },
+          "method", [](const LitSphere& m) { return std::string(plan::name(m.plan.work.solver)); },
           "how it was computed, in words")
       .def_readonly("error_found", &LitSphere::error_found,
                     "relative error of luminance that was found, the largest on the disc")

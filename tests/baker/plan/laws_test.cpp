@@ -99,10 +99,10 @@ TEST(PredictedError, OfTermsThatTheSceneHasNotIsNone) {
 }
 
 TEST(PredictedError, OfPhotonsFallsAsTheRootOfTheirNumber) {
-  for (const auto method : {Method::table, Method::step_by_step}) {
+  for (const auto solver : {Solver::table, Solver::literal}) {
     const auto noise = [&](double photons) {
-      return predicted_error({.method = method, .photons = photons}, umbral()) -
-             predicted_error({.method = method, .photons = endless}, umbral());
+      return predicted_error({.solver = solver, .photons = photons}, umbral()) -
+             predicted_error({.solver = solver, .photons = endless}, umbral());
     };
     EXPECT_WITHIN_RELATIVE(noise(1e6) / noise(4e6), 2., 1e-9, "rounding");
   }
@@ -173,19 +173,18 @@ TEST(PredictedSeconds, GrowWithTexelsTermsAndColumns) {
 TEST(PredictedSeconds, OfTermsThatTheSceneHasNotAreNone) {
   auto sphere = umbral();
   sphere.ellipsoid = false;
-  for (const auto method : {Method::quadrature, Method::table})
+  for (const auto solver : {Solver::quadrature, Solver::table})
     EXPECT_EQ(
-        predicted_seconds({.method = method, .photons = 1e6}, sphere, {}),
-        predicted_seconds({.method = method, .photons = 1e6, .ellipsoid = false, .regions = false},
+        predicted_seconds({.solver = solver, .photons = 1e6}, sphere, {}),
+        predicted_seconds({.solver = solver, .photons = 1e6, .ellipsoid = false, .regions = false},
                           sphere, {}));
 }
 
-TEST(PredictedSeconds, GoFromTableToMarchedToLiteralUpwards) {
-  const auto seconds = [](Method method) {
-    return predicted_seconds({.method = method, .photons = 1e6, .bands = 40}, umbral(), {});
+TEST(PredictedSeconds, GoFromTableToLiteralUpwards) {
+  const auto seconds = [](Solver solver) {
+    return predicted_seconds({.solver = solver, .photons = 1e6, .bands = 40}, umbral(), {});
   };
-  EXPECT_LT(seconds(Method::table), seconds(Method::marched));
-  EXPECT_LT(seconds(Method::marched), seconds(Method::step_by_step));
+  EXPECT_LT(seconds(Solver::table), seconds(Solver::literal));
 }
 
 }  // namespace

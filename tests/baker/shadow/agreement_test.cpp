@@ -143,10 +143,10 @@ Cells gathered(const RefractedLight& light, const Gathering& in) {
 }
 
 Cells by_photons_of(const atmosphere::Atmosphere& air, std::span<const double> waves,
-                    const Gathering& in, std::uint64_t photons, Trace trace) {
+                    const Gathering& in, std::uint64_t photons, bool literal) {
   PhotonSettings settings;
   settings.photons = photons;
-  settings.trace = trace;
+  settings.literal = literal;
   settings.ring_width_m = in.ring_m;
   settings.sectors = in.sectors;
   return gathered(means_over_rings(traced(air, arrangement, waves, settings)), in);
@@ -189,10 +189,10 @@ Cells means(const atmosphere::Atmosphere& air, std::span<const double> waves, co
   return cells;
 }
 
-Way photons(const char* name, Gathering in, std::uint64_t count, Trace trace) {
+Way photons(const char* name, Gathering in, std::uint64_t count, bool literal) {
   return {name,
           [=](const auto& air, std::span<const double> waves) {
-            return by_photons_of(air, waves, in, count, trace);
+            return by_photons_of(air, waves, in, count, literal);
           },
           [=](const auto& air, std::span<const double> waves) { return means(air, waves, in); },
           within_noise(static_cast<double>(count) / photons_a_block), name};
@@ -204,13 +204,11 @@ const std::vector<Way> ways{
     quadrature("quadrature of 300 rays", 300, 1.3e-3),
     quadrature("quadrature of 1000 rays", 1000, 1.5e-4),
     {"quadrature between places", between_places, finely, within_all_light(1.25e-3, 3), "finely"},
-    photons("photons by the table", {500e3, 9, 4}, 1'000'000, Trace::table),
-    // photons marched: their place is here
+    photons("photons by the table", {500e3, 9, 4}, 1'000'000, false),
 };
 
 /// Minutes of them: tests/thorough.sh has the time.
-const Way to_the_letter =
-    photons("photons to the letter", {1000e3, 5, 4}, 20'480, Trace::step_by_step);
+const Way to_the_letter = photons("photons literal", {1000e3, 5, 4}, 20'480, true);
 
 class EveryWay : public testing::TestWithParam<Way> {
  protected:

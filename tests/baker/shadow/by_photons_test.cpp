@@ -21,6 +21,7 @@ const std::vector<double> waves{500, 580, 680};
 PhotonSettings settings_of(std::uint64_t photons, double ring_m) {
   PhotonSettings settings;
   settings.photons = photons;
+  settings.literal = true;
   settings.ring_width_m = ring_m;
   return settings;
 }
@@ -64,9 +65,9 @@ TEST(ByPhotonsThoroughly, CarryTheMeanThatTheQuadratureCarries) {
 }
 
 TEST(ByPhotons, AreTheSamePhotonsWhateverTheNumberOfThreads) {
-  for (const auto trace : {Trace::step_by_step, Trace::marched, Trace::table}) {
-    auto settings = settings_of(trace == Trace::table ? 300'000 : 5'000, 100e3);
-    settings.trace = trace;
+  for (const bool literal : {true, false}) {
+    auto settings = settings_of(literal ? 5'000 : 300'000, 100e3);
+    settings.literal = literal;
     std::vector<RefractedLight> runs;
     for (const std::size_t threads : {1U, 2U, 3U}) {
       const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
@@ -218,7 +219,7 @@ const RefractedLight& exactly(bool regions) {
 
 PhotonSettings by_the_table(std::uint64_t photons, double ring_m) {
   auto settings = settings_of(photons, ring_m);
-  settings.trace = Trace::table;
+  settings.literal = false;
   settings.sectors = sectors_around;
   return settings;
 }
@@ -244,75 +245,6 @@ TEST(ByPhotonsThoroughly, WithEveryTermAndARegionAreTheSameTracedEachAndByTheTab
   each.seed = 3;
   expect_agreement(in_rings(air, darkened, waves, each), in_rings(air, darkened, waves, table), 30,
                    1, 7);
-}
-
-PhotonSettings marched(std::uint64_t photons, double ring_m, std::uint64_t seed) {
-  auto settings = by_the_table(photons, ring_m);
-  settings.trace = Trace::marched;
-  settings.seed = seed;
-  return settings;
-}
-
-TEST(ByPhotonsThoroughly, MarchedThroughEveryTermAgreeWithTheQuadrature) {
-  for (const bool regions : {false, true}) {
-    const auto air = everything(regions);
-    const auto photons = in_rings(air, darkened, waves, marched(400'000, 500e3, 4));
-    expect_agreement(photons, exactly(regions), 391, 1, 15);
-  }
-}
-
-TEST(ByPhotons, MarchedInSinglePrecisionByTenKilometresAgreeWithTheQuadrature) {
-  const auto air = everything(true);
-  auto settings = marched(1'000'000, 500e3, 5);
-  settings.marching = {10e3, photons::Precision::single};
-  const auto photons = in_rings(air, darkened, waves, settings);
-  expect_agreement(photons, exactly(true), 977, 1, 15);
-}
-
-TEST(ByPhotonsThoroughly, MarchedThroughThePapersAirAgreeWithTheQuadratureAndTheTable) {
-  // chi² over 90 rings of 50 km, one true run in a thousand fails
-  constexpr std::size_t rings = 90;
-  auto settings = marched(1'000'000, 50e3, 6), table = by_the_table(1'000'000, 50e3);
-  settings.sectors = table.sectors = 1;
-  const auto photons = in_rings({}, february_2008, waves, settings);
-  expect_agreement(photons, in_rings({}, february_2008, waves, table), 977, 0, rings);
-  const auto means = ring_means({}, february_2008, waves, 50e3, rings);
-  auto exact = photons;
-  for (std::size_t r = 0; r < rings; ++r)
-    for (std::size_t w = 0; w < waves.size(); ++w) {
-      exact.ratio[0](r, w) = means(r, w);
-      exact.standard_error[0](r, w) = 0;
-    }
-  expect_agreement(photons, exact, 977, 0, rings);
-}
-
-TEST(ByPhotonsThoroughly, MarchedThroughAirWithoutItsDustAreSeenToDifferFromTheQuadrature) {
-  auto lighter = everything(true);
-  for (auto& region : lighter.regions) region.column.dust_extinction_per_m = 0;
-  const auto photons = in_rings(lighter, darkened, waves, marched(200'000, 500e3, 4));
-  const auto& exact = exactly(true);
-  for (std::size_t w = 0; w < waves.size(); ++w) {
-    const auto found = apart(photons, exact, w, 1, 15);
-    EXPECT_GT(found.chi_squared, 2 * chi_squared_of(found.cells).highest) << waves[w] << " nm";
-  }
-}
-
-TEST(ByPhotons, MarchedAreAlikeInSingleAndInFullPrecision) {
-  // The same photons: but for those that cross a ring's edge, 30 m of 500 km, the same light.
-  auto full = marched(20'000, 500e3, 7), single = full;
-  single.marching.precision = photons::Precision::single;
-  const auto air = everything(false);
-  const auto a = by_photons(air, darkened, waves, full),
-             b = by_photons(air, darkened, waves, single);
-  for (std::size_t w = 0; w < waves.size(); ++w) {
-    double sum = 0, other = 0;
-    for (std::size_t s = 0; s < a.sectors; ++s)
-      for (std::size_t r = 1; r < 16; ++r) {
-        sum += a.ratio[s](r, w) * a.axis_distances_m[r];
-        other += b.ratio[s](r, w) * a.axis_distances_m[r];
-      }
-    EXPECT_WITHIN_RELATIVE(other, sum, 1e-4, "6e-6 of ten of optical depth; a few at the edge");
-  }
 }
 
 TEST(ByPhotons, OfAirWithoutItsDustAreSeenToDifferFromTheQuadrature) {
@@ -349,10 +281,6 @@ TEST(ByPhotons, RefuseSettingsOutsideTheirRange) {
   EXPECT_THROW(by_photons({}, february_2008, waves, settings_of(10, -1)), algebra::Error);
   auto settings = settings_of(10, 1e5);
   settings.stepping.step_m = 0;
-  EXPECT_THROW(by_photons({}, february_2008, waves, settings), algebra::Error);
-  settings = settings_of(10, 1e5);
-  settings.trace = Trace::marched;
-  settings.marching.step_m = 0.5;
   EXPECT_THROW(by_photons({}, february_2008, waves, settings), algebra::Error);
   settings = settings_of(10, 1e5);
   settings.enough = StoppingRule{{1}, 0.01, 0, 1e6};

@@ -23,7 +23,6 @@ class ByTheTable : public testing::Test {
   PhotonSettings settings(std::uint64_t photons, std::uint64_t seed) const {
     PhotonSettings settings;
     settings.photons = photons;
-    settings.trace = Trace::table;
     settings.seed = seed;
     return settings;
   }

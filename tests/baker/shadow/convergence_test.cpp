@@ -15,7 +15,7 @@ struct Cut {
 };
 
 /// Root mean square of the relative error over rings, three wavelengths and some seeds.
-double relative_error(Trace trace, Cut rings, std::uint64_t photons, std::uint64_t seeds) {
+double relative_error(bool literal, Cut rings, std::uint64_t photons, std::uint64_t seeds) {
   const Arrangement february_2008{1.479e11, {3.83e8}};
   const std::vector<double> waves{500, 580, 680};
   const auto exact = ring_means({}, february_2008, waves, rings.width_m, rings.to);
@@ -24,7 +24,7 @@ double relative_error(Trace trace, Cut rings, std::uint64_t photons, std::uint64
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     PhotonSettings settings;
     settings.photons = photons;
-    settings.trace = trace;
+    settings.literal = literal;
     settings.ring_width_m = rings.width_m;
     settings.seed = seed;
     const auto light = in_rings({}, february_2008, waves, settings);
@@ -37,8 +37,8 @@ double relative_error(Trace trace, Cut rings, std::uint64_t photons, std::uint64
 
 TEST(Convergence, FallsWithTheSquareRootOfTheNumberOfPhotonsOverThreeDecades) {
   constexpr Cut wide{1000e3, 2, 8};
-  const double few = relative_error(Trace::step_by_step, wide, 1'000, 12),
-               many = relative_error(Trace::step_by_step, wide, 1'000'000, 2);
+  const double few = relative_error(true, wide, 1'000, 12),
+               many = relative_error(true, wide, 1'000'000, 2);
   const double slope = std::log10(many / few) / 3;
   // 216 and 36 squared errors: the roots are known to 5 and 12 %, the slope to 0.019; 3.3 times
   // that.
@@ -47,8 +47,8 @@ TEST(Convergence, FallsWithTheSquareRootOfTheNumberOfPhotonsOverThreeDecades) {
 
 TEST(Convergence, ByTheTableFallsAtLeastAsFast) {
   constexpr Cut narrow{100e3, 0, 45};
-  const double few = relative_error(Trace::table, narrow, 16'384, 8),
-               many = relative_error(Trace::table, narrow, 16'384'000, 1);
+  const double few = relative_error(false, narrow, 16'384, 8),
+               many = relative_error(false, narrow, 16'384'000, 1);
   // 360 and 45 errors, wavelengths together: their roots are known to 4 and 11 %, the slope to 0.016;
   // 3.3 times that, and the reference's own 2e-4.
   EXPECT_LT(std::log10(many / few) / 3, -0.5 + 0.06) << "one run in a thousand of a true −1/2";

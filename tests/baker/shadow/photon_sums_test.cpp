@@ -24,7 +24,6 @@ const std::vector<double> waves{500, 580, 680};
 PhotonSettings settings_of(std::uint64_t photons) {
   PhotonSettings settings;
   settings.photons = photons;
-  settings.trace = Trace::table;
   settings.ring_width_m = 100e3;
   settings.key = "a test";
   return settings;

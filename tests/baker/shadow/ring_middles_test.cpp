@@ -27,7 +27,6 @@ Distance from_quadrature(std::uint64_t photons, double ring_m) {
   const auto exact = by_quadrature({}, february_2008, violet, places, {.rays = 4000});
   PhotonSettings settings;
   settings.photons = photons;
-  settings.trace = Trace::table;
   settings.ring_width_m = ring_m;
   const auto light = estimated(traced({}, february_2008, violet, settings));
   const BetweenPlaces between(light);

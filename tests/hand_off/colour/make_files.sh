@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Makes twelve files, whose names name no colour space: make_files.sh COPPERMOON FOLDER
+# Makes eleven files, whose names name no colour space: make_files.sh COPPERMOON FOLDER
 set -eu
 coppermoon=$1
 mkdir -p "$2"
@@ -12,5 +12,4 @@ for space in acescg lin_rec709 lin_ciexyzd65_scene; do
 done
 "$coppermoon" still $moment --at Nairobi --width 320 --height 240 --frame frame.exr -o frame.png
 "$coppermoon" ring 2018-07-27T20:21:45Z -o ring.exr
-"$coppermoon" shadow 2018-07-27T20:21:45Z --bands 20 --lookup strip.exr
 "$coppermoon" bake $moment --texture-width 256 -o moon.glb -o moon_acescg.exr -o moon.usda

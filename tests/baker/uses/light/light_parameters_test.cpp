@@ -93,7 +93,7 @@ plan::ByHand knobs(const std::vector<std::pair<const char*, const char*>>& given
 TEST(Knobs, AreWhatTheTextsSay) {
   const auto none = knobs({});
   EXPECT_FALSE(none.bands || none.rays || none.sun_terms || none.planes || none.place_error ||
-               none.terms || none.method || none.photons);
+               none.terms || none.solver != Solver::automatic || none.photons);
   const auto hand = knobs({{"bands", "40"},
                            {"rays", "500"},
                            {"sun-terms", "3"},
@@ -217,7 +217,7 @@ TEST(WithWork, DoneTwiceIsDoneOnce) {
 TEST(WithWork, SaysHowManyPhotonsWhereThereAreAny) {
   auto work = planned;
   EXPECT_NE(with_work(asked, work).find("solver = 'quadrature'\n"), std::string::npos);
-  work.method = plan::Method::table, work.photons = 2048;
+  work.solver = plan::Solver::table, work.photons = 2048;
   const auto recipe = with_work(asked, work);
   EXPECT_NE(recipe.find("solver = 'photons'\nphotons = 2048\n"), std::string::npos) << recipe;
 }

@@ -107,7 +107,7 @@ TEST(LightOnTheMoon, OfUsualQualityHasTheRedAndGreenOfFourHundredBands) {
 
 TEST(LightOnTheMoon, OfPhotonsKeepsToItsBudget) {
   LightRequest request;
-  request.solver = Solver::photons;
+  request.solver = Solver::table;
   request.wish = {.tolerance = 1e-4, .budget_s = 1e-3};  // not to be had together
   const auto sky = almanac::sky_at(almanac::instant_from_utc("2008-02-21T03:26:05Z"));
   const auto light = light_on_the_moon(request, sky);
@@ -140,7 +140,7 @@ class PhotonFilesTest : public testing::Test {
 
   static shadow::RefractedLight light(const PhotonFiles& files) {
     LightRequest request;
-    request.solver = Solver::photons;
+    request.solver = Solver::table;
     request.photons = 50'000;
     request.ring_km = 500;
     request.photon_files = files;

@@ -19,7 +19,6 @@ class PhotonSumsFile : public testing::Test {
  protected:
   PhotonSumsFile() {
     shadow::PhotonSettings settings;
-    settings.trace = shadow::Trace::table;
     settings.ring_width_m = 500e3;
     settings.key = "air = \"a\nb\"";
     settings.blocks = shadow::BlockRange{3, 12};

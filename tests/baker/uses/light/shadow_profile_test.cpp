@@ -78,7 +78,7 @@ TEST(ShadowProfile, IsWithoutTheTermsThatAreLeftOut) {
 
 TEST(ShadowProfile, OfFewPhotonsIsNeverDarkerThanBlack) {
   auto request = in_undated_air();
-  request.solver = Solver::photons;
+  request.solver = Solver::table;
   request.photons = 3000;
   for (const double angle : {7.5, 22.5, 97.5}) {
     const auto here = profile_at(request, angle);

@@ -24,7 +24,7 @@ Yardstick coarse_yardstick() {
 }
 
 Sweep of_photons(std::vector<double> photons) {
-  return {{.method = plan::Method::table,
+  return {{.solver = plan::Solver::table,
            .wavelengths = 10,
            .rays = 3000,
            .replicas = 500,
@@ -74,7 +74,7 @@ TEST(MeasuredTrials, RunAtOnceWhatCannotTakeTooLong) {
 TEST(MeasuredTrials, TakeATexturesLightFromTheSweepBeforeIt) {
   auto yardstick = coarse_yardstick();
   const Trial middle{
-      .method = plan::Method::quadrature, .wavelengths = 10, .rays = 60, .texture_width = 64};
+      .solver = plan::Solver::quadrature, .wavelengths = 10, .rays = 60, .texture_width = 64};
   const std::vector<Sweep> after{{middle, "rays", &Trial::rays, {60}},
                                  {middle, texture_sweep, &Trial::texture_width, {32, 64}}},
       alone{after[1]};

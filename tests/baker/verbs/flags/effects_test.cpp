@@ -349,7 +349,7 @@ struct LightSubject : Subject {
       const auto light = light_on_the_moon(asked, sky, {.error_told = false});
       const auto& work = light.plan.work;
       Numbers numbers{double(work.bands), double(work.rays), double(work.planes),
-                      work.place_error,   work.photons,      double(work.method)};
+                      work.place_error,   work.photons,      double(work.solver)};
       if (!photons) numbers.push_back(work.sun_terms);
       for (const auto& ratio : light.refracted->ratio)
         numbers.insert(numbers.end(), ratio.values().begin(), ratio.values().end());
@@ -380,7 +380,7 @@ const std::set<std::string, std::less<>>& effective_by_themselves() {
       "sun-distance-km", "danjon-spread", "unknowns", "despite-misfit", "only", "longest", "repeat",
       "quick",
       // what is written, and how; several are refused where they contradict others
-      "output", "json", "csv", "recipe", "lookup", "raw", "photograph", "contact-sheet", "curve",
+      "output", "json", "csv", "recipe", "raw", "photograph", "contact-sheet", "curve",
       "movie", "hdr", "composite", "stage", "cache", "embed", "for", "list", "clean", "limit",
       "folder", "job", "dry-run", "replace", "shard", "keep", "add", "stars", "sky",
       // of a film: a run may make what a later one needs, and its folder keeps all of them

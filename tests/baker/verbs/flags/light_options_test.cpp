@@ -31,8 +31,7 @@ TEST(LightRequest, WithoutFlagsIsTheStandardLight) {
 
 TEST(LightRequest, OfThePapersQualityIsThePapersSimulation) {
   const auto request = request_after("--quality paper");
-  EXPECT_EQ(request.solver, uses::Solver::photons);
-  EXPECT_EQ(request.trace, shadow::Trace::step_by_step);
+  EXPECT_EQ(request.solver, uses::Solver::literal);
   EXPECT_EQ(request.photons, 1e7);
   EXPECT_EQ(request.by_hand.bands, 200);
   EXPECT_FALSE(request.by_hand.terms->scattered_light);
@@ -62,9 +61,9 @@ TEST(LightRequest, HasAKeyThatKnowsTheAirAndNotTheNumberOfPhotons) {
   };
   const auto usual = key("");
   EXPECT_EQ(key("--photons 5 --shard 1/3 --keep a --add b --add c --starlight on"), usual);
-  for (const std::string other : {"--ozone-du 300", "--seed 2", "--rays 99", "--trace each",
-                                  "--trace marched", "--precision single", "--step-km 3",
-                                  "--ring-km 7", "--limb-darkening off", "--atmosphere paper"})
+  for (const std::string other :
+       {"--ozone-du 300", "--seed 2", "--rays 99", "--solver literal", "--step-km 3", "--ring-km 7",
+        "--limb-darkening off", "--atmosphere paper"})
     EXPECT_NE(key(other), usual) << other;
 }
 

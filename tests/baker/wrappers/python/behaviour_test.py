@@ -28,7 +28,7 @@ from support import clear, command, draft, small, thorough, when
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 public = [name for name in coppermoon.__all__ if not name.startswith("_")]
-endless = coppermoon.Light(solver="photons", trace="each", photons=1e9)
+endless = coppermoon.Light(solver="literal", photons=1e9)
 
 
 class Interrupts(unittest.TestCase):
@@ -49,7 +49,7 @@ class Interrupts(unittest.TestCase):
     def test_ctrl_c_ends_light(self):
         self.interrupted("import coppermoon\nprint('begun', flush=True)\n"
                          "coppermoon.shadow_profile('2018-07-27T20:21:45Z', [550], light=coppermoon.Light("
-                         "solver='photons', trace='each', photons=1e9))")
+                         "solver='literal', photons=1e9))")
 
     def test_ctrl_c_ends_the_search_for_eclipses(self):
         self.interrupted("import coppermoon\nprint('begun', flush=True)\ncoppermoon.eclipses('-1998-01-01', '2999-01-01')")
