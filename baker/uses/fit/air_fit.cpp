@@ -79,7 +79,7 @@ void add_over_cloud(const DataSet& data, const FittedLight::OverCloud& light,
   for (std::size_t j = 0; j < clouds.size(); ++j) {
     const auto found = data.goodness(light.under(clouds[j]));
     chi_squared[j] += found.chi_squared;
-    clocks[j] = {found.clock_s, std::sqrt(found.clock_variance_s2)};
+    clocks[j] = {found.clock_s, std::sqrt(found.clock_variance_s2), {}};
   }
 }
 
@@ -115,13 +115,13 @@ ClockError over_all_air(const algebra::Grid<double>& chi_squared, double least, 
   double sum = 0, mean = 0, squares = 0;
   for (std::size_t i = 0; i < chi_squared.values().size(); ++i) {
     const double mass = std::exp((least - chi_squared.values()[i]) / scale / 2);
-    const auto& [seconds, error_s] = clocks.values()[i];
+    const auto& [seconds, error_s, zone] = clocks.values()[i];
     sum += mass;
     mean += mass * seconds;
     squares += mass * (seconds * seconds + scale * error_s * error_s);
   }
   mean /= sum;
-  return {mean, std::sqrt(std::max(0., squares / sum - mean * mean))};
+  return {mean, std::sqrt(std::max(0., squares / sum - mean * mean)), {}};
 }
 
 /// Posterior with all variances larger by a factor; where the grid's steps are fine, between its points too.

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "uses/fit/fitted_light.h"
@@ -28,6 +29,7 @@ struct DataSet {
 /// Correction of a clock, to be added to its instants.
 struct ClockError {
   double seconds = 0, error_s = 0;  ///< mean and standard error
+  std::string zone{};               ///< that its instants were told in; empty: another way
 };
 
 /// Air fitted to data sets.

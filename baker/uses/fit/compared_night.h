@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "uses/fit/air_fit.h"
+#include "uses/fit/lit_bins.h"
 #include "uses/fit/nuisance_table.h"
 #include "uses/fit/nuisances.h"
 
@@ -44,6 +45,7 @@ struct Misfit {
   double mean, scatter;             ///< weighted mean, standard deviation about it
   double worst_km,
       worst;  ///< distance from the shadow's axis of the largest part of χ²; difference there
+  std::string file{};  ///< of the photograph
 };
 
 /// Photographs of one camera and night as one data set: logarithms of light by bin and channel.

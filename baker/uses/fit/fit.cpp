@@ -189,7 +189,15 @@ FitReport fitted_air(const FitRequest& request, const algebra::Progress& progres
     auto& found = report.nights.emplace_back(found_of(night, report.fit, report.fit.clocks[n]));
     found.photographs = photographs;
     found.turns = turns;
-    for (auto& misfit : found.misfits) misfit.photograph = photographs[misfit.photograph];
+    for (const auto i : photographs) found.files.push_back(request.photographs[i].file);
+    for (auto& misfit : found.misfits) {
+      misfit.photograph = photographs[misfit.photograph];
+      misfit.file = request.photographs[misfit.photograph].file;
+    }
+  }
+  for (std::size_t i = 0; i < report.photographs.size(); ++i) {
+    report.photographs[i].file = request.photographs[i].file;
+    report.photographs[i].instant = almanac::utc_text(request.photographs[i].instant);
   }
   return report;
 }

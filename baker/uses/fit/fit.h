@@ -65,6 +65,8 @@ struct ReadPhotograph {
   bool curved = false;                    ///< its camera's tone curve was in question
   std::optional<ClippedAt> clipped_at{};  ///< where that is not 1
   std::string left_out{};                 ///< reason in one line; empty: it was used
+  std::string file{};
+  std::optional<std::string> instant{};  ///< as it was told, UTC; none: it has no date
 };
 
 /// Message of an error, without the file's name that it begins with.
@@ -88,6 +90,7 @@ struct FittedNight {
   std::vector<MeasuredLight> light;  ///< in order of distance
   std::vector<Misfit> misfits;       ///< photographs of the request
   std::vector<Again> turns;          ///< why it was looked at again, each time
+  std::vector<std::string> files;    ///< of its photographs
 };
 
 /// Air that was found, and the photographs and cameras that it is from.

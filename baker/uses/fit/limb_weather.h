@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-#include "uses/fit/scene.h"
+#include "uses/fit/lit_bins.h"
 
 namespace coppermoon::uses {
 

@@ -256,7 +256,7 @@ FittedNight found_of(const Night& night, const AirFit& fit, const ClockError& cl
   found.misfits = night.compared.misfits(light);
   for (auto& misfit : found.misfits) misfit.photograph = night.binned[misfit.photograph].photograph;
   if (night.request.clock_error_s > 0)
-    found.clock = ClockError{night.clock.added_s + clock.seconds, clock.error_s};
+    found.clock = ClockError{night.clock.added_s + clock.seconds, clock.error_s, {}};
   if (is_curved(night)) found.curve = night.compared.curve(light);
   return found;
 }

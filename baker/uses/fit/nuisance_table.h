@@ -12,7 +12,7 @@
 
 #include "algebra/grid.h"
 #include "colour/tone_curve.h"
-#include "uses/fit/photograph.h"
+#include "uses/fit/binned_photograph.h"
 
 namespace coppermoon::uses {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "uses/fit/binned_photograph.h"
 #include "uses/fit/fit.h"
-#include "uses/fit/photograph.h"
 
 namespace coppermoon::uses {
 
