@@ -43,8 +43,8 @@ struct AirFit {
 
 /// Posterior of the air, given all data sets: a grid over the range in which their light is known, made finer about
 /// what is probable, twice to five times, until its steps are within a standard deviation. All data sets have light of
-/// the same unknowns. Where the least χ² exceeds the degrees of freedom by more than one standard deviation, which chance
-/// may explain, all errors are scaled up to match.
+/// the same unknowns. Where the least χ² exceeds the degrees of freedom by more than one standard deviation, which
+/// chance may explain, all errors are scaled up to match.
 AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progress = {});
 
 /// Range of the unknowns about what is probable: three widths of the interval beyond it, at least a quarter of the

@@ -90,7 +90,7 @@ Channel mapped(Channel channel, const Function& function) {
 
 float is_black(float value) { return value <= 0 ? 1 : 0; }
 
-/// A photograph's channel, resampled to the pixels of the scene.
+/// One channel of a photograph, resampled to the pixels of the scene.
 struct Brought {
   Channel displayed;  ///< by sRGB
   Channel light;      ///< with the tone curve undone
@@ -107,7 +107,7 @@ void add_slopes(ToneSlopes& slopes, double light, double displayed, double sky,
     slopes[k] += light * of_light[k] - sky * of_sky[k];
 }
 
-/// Light to be subtracted: the sky's, as displayed and as the scene's; a factor on the glow.
+/// Light that is subtracted: the sky's, before and after the tone curve is undone; a factor on the glow.
 struct Off {
   double displayed, sky, glow;
 };

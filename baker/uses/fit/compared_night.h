@@ -51,8 +51,8 @@ struct Misfit {
 /// Photographs of one camera and night as one data set: logarithms of light by bin and channel.
 ///
 /// Noise of a measurement is that of its pixels; 1.2 % of the Moon's map in each place of 200 km, about 0.3 % of a bin;
-/// and of the computation, alike in bins close by, 0.05 % of its value and 0.02 % of the bin's brightest channel. Nuisances
-/// are those of nuisances_of.
+/// and of the computation, alike in bins close by, 0.05 % of its value and 0.02 % of the bin's brightest channel.
+/// Nuisances are those of nuisances_of.
 class ComparedNight {
  public:
   /// Throws  Error  when fewer than six bins and channels are neither clipped nor lost in noise

@@ -115,8 +115,8 @@ struct NightOf {
   std::vector<Again> turns{};
 };
 
-/// Air that is fitted to nights and magnitudes: while a night's photographs or light would change by what was found they
-/// are looked at again, and the air is fitted again.
+/// Air that is fitted to nights and magnitudes: while a night's photographs or light would change by what was found
+/// they are looked at again, and the air is fitted again.
 AirFit fitted(std::vector<NightOf>& nights, const std::vector<DataSet>& magnitudes, Steps& steps) {
   auto progress = steps.next();
   for (int turn = 0;; ++turn) {

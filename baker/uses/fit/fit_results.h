@@ -49,7 +49,7 @@ template <class Field>
 void describe(Field&& is, const ClippedAt& clipped) {
   is.a("ClippedAt", "Number of a FITS file that counts as clipped.");
   is("number", clipped.number, "as in the file");
-  is("from", algebra::Word{clipped.of_header ? "DATAMAX" : "greatest", {"DATAMAX", "greatest"}},
+  is("source", algebra::Word{clipped.of_header ? "DATAMAX" : "greatest", {"DATAMAX", "greatest"}},
      "the header, or the greatest number");
 }
 
@@ -67,8 +67,8 @@ void describe(Field&& is, const ReadPhotograph& photograph) {
   is("numbers", if_dated(photograph.measurements), "how many numbers it gave");
   is("exposure_known", if_dated(photograph.exposure_known),
      "whether its exposure was known; else any is as likely");
-  is("coding", if_dated(algebra::Word{photograph.curved ? "camera" : "known", {"camera", "known"}}),
-     "whether its camera's tone curve was in question");
+  is("coding", if_dated(std::string(photograph.curved ? "camera" : "known")),
+     "camera: its camera's tone curve was in question; known: it was not");
   is("clipped_at", algebra::if_any(photograph.clipped_at),
      "number of a FITS file that counts as clipped; none: the format's own");
   is("mirrored", if_used(photograph.registration.render_to_photo.mirrored),

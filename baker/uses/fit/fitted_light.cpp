@@ -68,9 +68,9 @@ std::vector<double> some(const std::vector<double>& all, std::span<const std::si
 /// Nodes over all numbers, or fewer and finer in a range.
 ///
 /// At fine nodes the first ozone has all of aerosol and cloud, two more have some: the ratio of light in two ozones is
-/// smoother than light is. Of amounts, errors between the five of dust, at 100 and 350 DU, are 8e-4 up to 3e-6 per metre,
-/// 1.4e-3 up to 8e-6, 3e-3 up to 1.5e-5; near 280 DU 0. In a range, steps of aerosol and cloud are at most a third as long
-/// as over all numbers: errors of cubics are a hundredth.
+/// smoother than light is. Of amounts, errors between the five of dust, at 100 and 350 DU, are 8e-4 up to 3e-6 per
+/// metre, 1.4e-3 up to 8e-6, 3e-3 up to 1.5e-5; near 280 DU 0. In a range, steps of aerosol and cloud are at most a
+/// third as long as over all numbers: errors of cubics are a hundredth.
 std::vector<InOzone> nodes_of(Unknowns unknowns, FittedAirs airs, double aerosol_scale,
                               const std::optional<AirRange>& range) {
   using Which = std::vector<std::size_t>;

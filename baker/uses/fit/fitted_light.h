@@ -13,11 +13,12 @@ namespace coppermoon::uses {
 /// light) for finding a clock's error.
 enum class FittedAirs { fine, coarse };
 
-/// Light in bins of a Moon on its way through the shadow, in air whose unknowns have any numbers: light_in_bins, interpolated.
+/// Light in bins of a Moon on its way through the shadow, in air whose unknowns have any numbers: light_in_bins,
+/// interpolated.
 ///
 /// Nodes are some numbers of each unknown, over all its range or a part of it. Between nodes the logarithm of light is
-/// interpolated by cubics in aerosol and parabolas in ozone. Under a part of a deck of cloud, light is the mean of clear
-/// and cloudy light; between factors on the chance of cloud, its logarithm is interpolated by a polynomial.
+/// interpolated by cubics in aerosol and parabolas in ozone. Under a part of a deck of cloud, light is the mean of
+/// clear and cloudy light; between factors on the chance of cloud, its logarithm is interpolated by a polynomial.
 ///
 /// Accuracy  against light_on_the_moon of a tolerance of 0.1 %:
 ///           of amounts of dust up to 8e-6 per metre: 0.4 % of X and Y, 0.8 % of Z

@@ -71,7 +71,7 @@ AirAbove air_above(std::span<const LitBins> parts) {
   return above;
 }
 
-/// All that does not depend on the air sought.
+/// What light needs that is the same in all air.
 struct Setting {
   const LightRequest& request;
   ShadowedMoon moon;
@@ -162,7 +162,7 @@ algebra::Grid<double> in_all_bins(const Setting& setting, const shadow::Refracte
   return all;
 }
 
-/// Air whose unknowns have other numbers in all columns.
+/// Air in which the unknowns have these numbers everywhere along the limb: factors multiply, amounts replace.
 atmosphere::Atmosphere changed(atmosphere::Atmosphere air, Unknowns unknowns,
                                const AirNumbers& numbers) {
   const double aerosol = numbers[0], cloud = numbers[1], ozone = numbers[2];

@@ -30,8 +30,9 @@ struct LitBins {
   std::size_t bins = 0;
 };
 
-/// Light in bins of a Moon on its way through the shadow, computed in some air. Light in the shadow is computed once for all
-/// moments. Between different air above the observer its logarithm is interpolated by a polynomial through up to four.
+/// Light in bins of a Moon on its way through the shadow, computed in some air. Light in the shadow is computed once
+/// for all moments. Between different air above the observer its logarithm is interpolated by a polynomial through up
+/// to four.
 ///
 /// Given     request    air but for the unknowns, limb darkening; the rest is ignored
 ///           skies      of one eclipse, in order of time: those of all parts, one or more

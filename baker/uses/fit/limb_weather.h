@@ -28,8 +28,8 @@ std::array<double, weather_sectors> shares_of_limb(const eclipse::ShadowPlace& p
 /// Shares of a scene's bins in the light of the limb's parts: (bin, part).
 algebra::Grid<double> limb_of_bins(const FitScene& scene);
 
-/// Kinds of weather that a part of the limb has: of all light; of blue apart; of deep light, whose rays pass lower, apart.
-/// Where the derivative by cloud of all light is known the last is in it.
+/// Kinds of weather that a part of the limb has: of all light; of blue apart; of deep light, whose rays pass lower,
+/// apart. Where the derivative by cloud of all light is known the last is in it.
 inline constexpr std::size_t weather_of_light = 0, weather_of_blue = 1, weather_kinds = 3,
                              weather_kinds_beside_cloud = 2;
 
@@ -38,9 +38,9 @@ inline constexpr std::size_t weather_of_light = 0, weather_of_blue = 1, weather_
 /// Given  distance_km  from the axis; the umbra ends at some 4600 km
 double light_by_weather(std::size_t kind, std::size_t channel, double distance_km);
 
-/// Weights of independent changes of weather, one an hour, at some moments, between which weather changes linearly. A part
-/// of the weather stays from hour to hour: systems of 1500 km pass the limb in an hour near the equator, in many near the
-/// poles; land and sea, cloudier or clearer than their belt, stay for a night.
+/// Weights of independent changes of weather, one an hour, at some moments, between which weather changes linearly. A
+/// part of the weather stays from hour to hour: systems of 1500 km pass the limb in an hour near the equator, in many
+/// near the poles; land and sea, cloudier or clearer than their belt, stay for a night.
 ///
 /// Given     seconds  from any moment
 /// Returned  (moment, change); one change within a quarter of an hour

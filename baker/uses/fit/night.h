@@ -22,9 +22,9 @@ struct Night {
 
 /// First look: reads the photographs, finds their clock, places them, bins them, and computes light in all air.
 ///
-/// Left out are photographs that leave_out_far leaves out; then, one by one, those whose light no air explains beside the
-/// others': three stops off in all channels, or one where the Moon is poorly recognised or turned unlike most others. One
-/// of them misleads a whole night.
+/// Left out are photographs that leave_out_far leaves out; then, one by one, those whose light no air explains beside
+/// the others': three stops off in all channels, or one where the Moon is poorly recognised or turned unlike most
+/// others. One of them misleads a whole night.
 ///
 /// Given   request  photographs of one camera and eclipse
 /// Throws  Error    "<file>: …" for one alone that cannot be read or used, the first of several when none can
@@ -32,8 +32,8 @@ Night first_look(FitRequest request, const algebra::Progress& progress = {});
 
 /// Why a night is looked at again with the air that was found; or not.
 ///
-/// Light is computed nearby until the fit is well within its range; not for photographs by a tone curve, which errs by more
-/// than light between nodes of the whole range.
+/// Light is computed nearby until the fit is well within its range; not for photographs by a tone curve, which errs by
+/// more than light between nodes of the whole range.
 ///
 /// Given  turn  how often it was before: 0 after the first look
 Again why_again(const Night& night, const AirFit& fit, int turn);

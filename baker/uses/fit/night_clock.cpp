@@ -63,8 +63,8 @@ std::vector<std::size_t> some_of(std::size_t all, std::size_t most) {
   return indices;
 }
 
-/// Correction, in steps of half an hour, at which photographs are most like the Moon: the nearer the shadow is to its place
-/// on them, the more alike they are.
+/// Correction, in steps of half an hour, at which photographs are most like the Moon: the nearer the shadow is to its
+/// place on them, the more alike they are.
 double roughly_at(const Stage& stage, std::span<const Reading> readings,
                   std::span<const std::size_t> which, const Possible& range) {
   std::vector<double> clocks_s;

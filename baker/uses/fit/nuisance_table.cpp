@@ -37,7 +37,8 @@ double logarithmic_slope(const Binned& photograph, std::size_t b, std::size_t k)
          (scene.distances_km[to] - scene.distances_km[from]);
 }
 
-/// Growth of a measurement's logarithm with light that the camera adds from each channel, as bright as that is expected.
+/// Growth of a measurement's logarithm with light that the camera adds from each channel, as bright as that is
+/// expected.
 std::array<double, 3> growth_by_mixing(const Binned& photograph, const NightErrors& night,
                                        const NightRows& rows, const Measurement& measurement) {
   const auto& [p, b, k, logarithm, error, of_computation] = measurement;
@@ -57,8 +58,8 @@ std::array<double, 3> growth_by_mixing(const Binned& photograph, const NightErro
   return light;
 }
 
-/// Growth of the logarithm of light with less cloud, (photograph × bins + bin, channel), over its mean of red in the umbra;
-/// where cloud is a chance, times weather_over_usual. Empty where it is not known.
+/// Growth of the logarithm of light with less cloud, (photograph × bins + bin, channel), over its mean of red in the
+/// umbra; where cloud is a chance, times weather_over_usual. Empty where it is not known.
 algebra::Grid<double> dimming_by_cloud(std::span<const Binned> photographs,
                                        const NightErrors& night, const NightRows& rows) {
   constexpr double least_distance_km = 1000, most_distance_km = 4000;

@@ -25,8 +25,8 @@ inline constexpr std::array luminance_of_rec709{0.2126, 0.7152, 0.0722};
 
 /// Light of an air in the bins of a night's photographs: (row, X Y Z).
 ///
-/// Rows are bins of a photograph at one moment, then at the next: moments a minute before and after its own where the clock
-/// may be wrong, else its own alone; then those of the next photograph.
+/// Rows are bins of a photograph at one moment, then at the next: moments a minute before and after its own where the
+/// clock may be wrong, else its own alone; then those of the next photograph.
 struct NightRows {
   std::size_t moments = 1, bins = 0;
 
@@ -39,7 +39,8 @@ struct NightRows {
   }
 };
 
-/// Moments beside each photograph's at which light is computed, for its derivative by the clock [s]: its own in the middle.
+/// Moments beside each photograph's at which light is computed, for its derivative by the clock [s]: its own in the
+/// middle.
 std::vector<double> clock_steps_s(double clock_error_s);
 
 /// What is known of a night's light before it is compared, about which errors are linear.
@@ -82,8 +83,8 @@ struct Nuisance {
   std::function<double(const Measurement&, std::size_t parameter)> derivative;
 };
 
-/// Nuisances of a night: exposure, white balance, tone curve, the camera's matrix, saturation and filters, weather along
-/// the limb; of each photograph shutter, white balance, sky, place and glow.
+/// Nuisances of a night: exposure, white balance, tone curve, the camera's matrix, saturation and filters, weather
+/// along the limb; of each photograph shutter, white balance, sky, place and glow.
 ///
 /// Given  photographs, night  outlive the table
 std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const NightErrors& night);

@@ -28,8 +28,8 @@ struct MoonPart {
 /// Throws  Error  when there is no disc, also in the photograph halved in size once or twice; as colour::limb_of
 MoonPart moon_part(const texture::Image& photo);
 
-/// Reason why a photograph is not registered. Where half of its Moon or more is clipped or dark, the shares are added, and
-/// what is needed.
+/// Reason why a photograph is not registered. Where half of its Moon or more is clipped or dark, the shares are added,
+/// and what is needed.
 std::string reason_with_shares(const MoonPart& moon, const std::string& reason);
 
 /// How finely a photograph is registered.
@@ -48,16 +48,16 @@ colour::Registration registration_of(const FitScene& scene, const MoonPart& moon
                                      const std::optional<double>& scale = {},
                                      Registering how = Registering::of_clipped);
 
-/// Distance of the registered disc from that of the limb, as far as it is beyond the 0.3 by which a limb errs, in the larger
-/// pixels of photograph and scene [km].
+/// Distance of the registered disc from that of the limb, as far as it is beyond the 0.3 by which a limb errs, in the
+/// larger pixels of photograph and scene [km].
 double off_limb_km(const FitScene& scene, const colour::Registration& registration);
 
 /// Standard error of a registration, in any direction [km].
 ///
-/// In the larger pixels of photograph and scene: 0.3 for a Moon in the umbra, 0.8 where ground beyond the umbra is
-/// lit, for a bright limb misleads registration; against the Moon in the air that was found, in the scale of all of the
-/// night's photographs, 0.2 for both; in quadrature 2 (1 − correlation), for noise, and off_limb_km: where limb and markings
-/// disagree neither is believed.
+/// In the larger pixels of photograph and scene: 0.3 for a Moon in the umbra, 0.8 where ground beyond the umbra is lit,
+/// for a bright limb misleads registration; against the Moon in the air that was found, in the scale of all of the
+/// night's photographs, 0.2 for both; in quadrature 2 (1 − correlation), for noise, and off_limb_km: where limb and
+/// markings disagree neither is believed.
 ///
 /// Given   in_its_air  whether it was registered so
 /// Source  errors measured on simulated photographs: in the middle of the umbra 0.03, by its edge 0.2 to 0.45, at a

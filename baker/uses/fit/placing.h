@@ -28,9 +28,9 @@ struct Stage {
   algebra::Progress alive{};  ///< called before each photograph; may throw to cancel
 };
 
-/// Registers photographs at their instants and a correction of the clock. Pictures of one size have one scale: a photograph
-/// that is not registered, or in another scale than most, is registered in theirs, and left out where it is less like the
-/// Moon then.
+/// Registers photographs at their instants and a correction of the clock. Pictures of one size have one scale: a
+/// photograph that is not registered, or in another scale than most, is registered in theirs, and left out where it is
+/// less like the Moon then.
 ///
 /// Given     readings  of the request's photographs
 ///           which     of them; the others are left out without a reason
@@ -39,8 +39,8 @@ struct Stage {
 std::vector<Placed> placed(const Stage& stage, std::span<const Reading> readings, double clock_s,
                            std::span<const std::size_t> which, Registering how);
 
-/// Registers photographs once more, where they were, in other air. A photograph that is less like the Moon then stays as it
-/// was.
+/// Registers photographs once more, where they were, in other air. A photograph that is less like the Moon then stays
+/// as it was.
 ///
 /// Given  stage  in that air
 std::vector<Placed> placed_again(const Stage& stage, std::span<const Reading> readings,

@@ -43,8 +43,8 @@ struct FitScene {
   colour::Image moon;                  ///< under the usual air; linear Rec.709
   colour::Image glow = {};             ///< as glow_of; empty: not computed yet
   algebra::Grid<double> usual_values;  ///< (bin, channel): light of that Moon over sunlit light
-  /// (bin, channel): logarithm of that light through each other camera's filters, over that through the response; empty:
-  /// the response is known
+  /// (bin, channel): logarithm of that light through each other camera's filters, over that through the response;
+  /// empty: the response is known
   std::vector<algebra::Grid<double>> by_filters = {};
 };
 
