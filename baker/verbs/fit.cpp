@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "algebra/error.h"
 #include "algebra/number.h"
 #include "almanac/gazetteer.h"
-#include "uses/fit/fit.h"
+#include "result/as_json.h"
+#include "uses/fit/fit_results.h"
 #include "uses/fit/measured_light.h"
-#include "uses/fit/misfit.h"
 #include "uses/picture/local_time.h"
 #include "uses/picture/photo_file.h"
 #include "uses/picture/picture_parameters.h"
@@ -21,6 +17,7 @@
 #include "verbs/flags/coding_option.h"
 #include "verbs/flags/light_options.h"
 #include "verbs/flags/moon_options.h"
+#include "verbs/reports/fit_tables.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
 #include "verbs/reports/progress_bar.h"
@@ -28,9 +25,6 @@
 namespace coppermoon::verbs {
 namespace of_fit {
 namespace {
-
-using Json = nlohmann::ordered_json;
-using uses::Estimate, uses::ReadPhotograph;
 
 struct Options {
   std::vector<std::string> photos, outputs;
@@ -43,49 +37,33 @@ struct Options {
   bool despite_misfit = false, misfits = false, json = false;
 };
 
-/// Value for a photograph, of a list with one for each or one for all.
+/// Value for the i-th photograph, of a list with one for each or one for all; nothing of an empty list.
 template <class Value>
-const Value& one_of(const std::vector<Value>& values, std::size_t i) {
+std::optional<Value> value_for(const Options& options, const std::vector<Value>& values,
+                               std::size_t i, const char* what) {
+  const auto photos = options.photos.size();
+  if (values.empty()) return std::nullopt;
+  if (values.size() != 1 && values.size() != photos)
+    throw algebra::Error(fmt::format("{} {}, allowed one for all or {}, one for each photograph",
+                                     values.size(), what, photos));
   return values[values.size() == 1 ? 0 : i];
 }
 
-void require_one_or(std::size_t photos, std::size_t count, const char* what) {
-  if (count != 1 && count != photos)
-    throw algebra::Error(fmt::format("{} {}, allowed one for all or {}, one for each photograph",
-                                     count, what, photos));
-}
-
-/// Texts of the instants, one for each photograph or one for all.
-std::vector<std::string> instants_of(const Options& options) {
-  std::vector<std::string> all;
-  std::istringstream parts(options.instants);
-  for (std::string part; std::getline(parts, part, ',');) all.push_back(part);
-  require_one_or(options.photos.size(), all.size(), "instants");
-  return all;
-}
-
-/// Number for a photograph from a list with one for each or one for all; nothing of an empty list.
-std::optional<double> number_for(const std::string& list, std::size_t i, std::size_t photos,
+/// The same from a text of numbers with commas.
+std::optional<double> number_for(const Options& options, const std::string& list, std::size_t i,
                                  const char* what) {
   const auto numbers = algebra::numbers_in(list);
   if (!numbers)
     throw algebra::Error(fmt::format("{} = {}, allowed numbers with commas", what, list));
-  if (numbers->empty()) return std::nullopt;
-  require_one_or(photos, numbers->size(), what);
-  return one_of(*numbers, i);
+  return value_for(options, *numbers, i, what);
 }
 
-/// A photograph without a date in its header.
-struct Undated {
-  std::string file, why;
-};
-
-/// Request of the fit, the texts of its instants, and photographs left out.
+/// Request of the fit, and what of it the command line alone knows.
 struct Input {
   uses::FitRequest request;
   std::vector<std::string> instants;
   std::vector<std::string> zones{};  ///< [photograph] of the clocks, empty: unknown; or none
-  std::vector<Undated> undated{};
+  std::vector<uses::ReadPhotograph> undated{};  ///< left out, for their headers have no date
 };
 
 constexpr const char* from_header = "from-header";
@@ -108,12 +86,11 @@ std::string instant_by(const uses::HeaderClock& clock, const Options& options) {
 /// Adds the i-th photograph, taken at an instant.
 void add_photograph(const Options& options, std::size_t i, const std::string& instant,
                     Input& input) {
-  const auto photos = options.photos.size();
   input.request.photographs.push_back({.file = options.photos[i],
                                        .instant = almanac::instant_from_utc(instant),
                                        .coding = options.coding,
-                                       .time_s = number_for(options.times, i, photos, "times"),
-                                       .iso = number_for(options.isos, i, photos, "ISO speeds"),
+                                       .time_s = number_for(options, options.times, i, "times"),
+                                       .iso = number_for(options, options.isos, i, "ISO speeds"),
                                        .f_number = options.f_number});
   input.instants.push_back(instant);
 }
@@ -135,8 +112,8 @@ void add_by_headers(const Options& options, Input& input) {
     try {
       clock = uses::clock_of(options.photos[i]);
     } catch (const algebra::Error& error) {
-      input.undated.push_back(
-          {options.photos[i], uses::reason_without_name(options.photos[i], error)});
+      input.undated.push_back({.left_out = uses::reason_without_name(options.photos[i], error),
+                               .file = options.photos[i]});
       continue;
     }
     warn_of_offset(options, options.photos[i], *clock);
@@ -146,7 +123,7 @@ void add_by_headers(const Options& options, Input& input) {
   }
   if (input.request.photographs.empty() && !input.undated.empty())
     throw algebra::Error(
-        fmt::format("{}: {}", input.undated.front().file, input.undated.front().why));
+        fmt::format("{}: {}", input.undated.front().file, input.undated.front().left_out));
 }
 
 Input input_of(const Options& options) {
@@ -159,167 +136,25 @@ Input input_of(const Options& options) {
   if (by_headers) {
     add_by_headers(options, input);
   } else if (!options.photos.empty()) {
-    const auto instants = instants_of(options);
+    std::vector<std::string> instants;
+    std::istringstream parts(options.instants);
+    for (std::string part; std::getline(parts, part, ',');) instants.push_back(part);
     for (std::size_t i = 0; i < options.photos.size(); ++i)
-      add_photograph(options, i, one_of(instants, i), input);
+      add_photograph(options, i, *value_for(options, instants, i, "instants"), input);
   }
   if (!options.magnitudes.empty())
     input.request.magnitudes = uses::read_magnitudes(options.magnitudes);
   return input;
 }
 
-/// Least information of an estimate that counts as determined.
-constexpr double no_information = 0.3;
-
-Json as_json(const Estimate& estimate, bool logarithm) {
-  const auto value = [&](double x) { return logarithm ? std::exp(x) : x; };
-  return {{"median", value(estimate.median)},
-          {"low_68", value(estimate.low)},
-          {"high_68", value(estimate.high)},
-          {"told", estimate.information >= no_information}};
-}
-
-Json as_json(const uses::ReadPhotograph& photograph, const std::string& file,
-             const std::string& instant) {
-  Json all{{"file", file},
-           {"instant", instant},
-           {"numbers", photograph.measurements},
-           {"exposure_known", photograph.exposure_known},
-           {"coding", photograph.curved ? "camera" : "known"}};
-  if (photograph.clipped_at)
-    all["clipped_at"] = {{"number", photograph.clipped_at->number},
-                         {"from", photograph.clipped_at->of_header ? "DATAMAX" : "greatest"}};
-  if (photograph.left_out.empty()) {
-    all["mirrored"] = photograph.registration.render_to_photo.mirrored;
-    all["correlation"] = photograph.registration.correlation;
-  } else {
-    all["left_out"] = photograph.left_out;
-  }
-  return all;
-}
-
-constexpr std::array channel_names{"red", "green", "blue"};
-
-Json as_json(const uses::Suspicion& suspicion, const Input& input) {
-  constexpr std::array names{"instant", "exposure", "colours", "clock", "tone curve", "air"};
-  return {{"file", input.request.photographs[suspicion.worst.photograph].file},
-          {"channel", channel_names[suspicion.worst.channel]},
-          {"place", uses::part_of_shadow(suspicion.worst.worst_km)},
-          {"suspect", names[static_cast<std::size_t>(suspicion.suspect)]}};
-}
-
-/// Zone of a night's clock; empty: unknown.
-std::string zone_of(const uses::FittedNight& night, const Input& input) {
-  return input.zones.empty() ? "" : input.zones[night.photographs.front()];
-}
-
-Json as_json(const uses::FittedNight& night, const Input& input) {
-  Json all{{"photographs", Json::array()},
-           {"response", Json()},
-           {"clock", Json()},
-           {"tone_curve", Json()},
-           {"misfits", Json::array()}};
-  if (night.response) all["response"] = *night.response;
-  for (const auto i : night.photographs)
-    all["photographs"].push_back(input.request.photographs[i].file);
-  if (night.clock) {
-    all["clock"] = {{"add_s", night.clock->seconds}, {"standard_error_s", night.clock->error_s}};
-    if (const auto zone = zone_of(night, input); !zone.empty()) all["clock"]["zone"] = zone;
-  }
-  if (night.curve) all["tone_curve"] = components_of(*night.curve);
-  for (const auto& misfit : night.misfits)
-    all["misfits"].push_back({{"file", input.request.photographs[misfit.photograph].file},
-                              {"channel", channel_names[misfit.channel]},
-                              {"numbers", misfit.count},
-                              {"chi_squared", misfit.chi_squared},
-                              {"mean_log_ratio", misfit.mean},
-                              {"worst_km", misfit.worst_km},
-                              {"worst_log_ratio", misfit.worst}});
-  return all;
-}
-
-void print_json(const Input& input, const uses::FitReport& found) {
-  const auto& [fit, photographs, nights] = found;
-  const auto& p = fit.posterior;
-  Json all;
-  for (std::size_t a = 0; a < p.estimates.size(); ++a) {
-    const auto& unknown = uses::unknowns_of(fit.unknowns)[a];
-    all[std::string(unknown.key)] = as_json(p.estimates[a], unknown.logarithmic);
-  }
-  all["correlation"] = {{"aerosol_cloud", p.correlation[0][1]},
-                        {"aerosol_ozone", p.correlation[0][2]},
-                        {"cloud_ozone", p.correlation[1][2]}};
-  all["chi_squared"] = p.least_chi_squared;
-  all["explained"] = explains(fit);
-  all["numbers"] = fit.measurements;
-  all["photographs"] = all["nights"] = Json::array();
-  for (std::size_t i = 0; i < photographs.size(); ++i)
-    all["photographs"].push_back(
-        as_json(photographs[i], input.request.photographs[i].file, input.instants[i]));
-  for (const auto& [file, why] : input.undated)
-    all["photographs"].push_back({{"file", file}, {"instant", Json()}, {"left_out", why}});
-  for (const auto& night : nights) all["nights"].push_back(as_json(night, input));
-  const auto suspicion = suspicion_of(found);
-  all["misfit"] = suspicion ? as_json(*suspicion, input) : Json();
-  fmt::print("{}\n", all.dump(2));
-}
-
-void print_photograph(const ReadPhotograph& photograph, const std::string& file) {
-  if (!photograph.left_out.empty()) {
-    fmt::print("{}: left out: {}\n", one_line(file), one_line(photograph.left_out));
-    return;
-  }
-  const auto& clipped_at = photograph.clipped_at;
-  fmt::print("{}: {} numbers{}, exposure {}{}{}, correlation {:.3f}\n", one_line(file),
-             photograph.measurements,
-             photograph.registration.render_to_photo.mirrored ? ", mirrored" : "",
-             photograph.exposure_known ? "known" : "free",
-             photograph.curved ? ", by its camera's tone curve" : "",
-             clipped_at ? fmt::format(", clipped at {:g}, {}", clipped_at->number,
-                                      clipped_at->of_header ? "its DATAMAX" : "its greatest number")
-                        : "",
-             photograph.registration.correlation);
-}
-
-void print_night(const uses::FittedNight& night, const Input& input) {
-  const auto& first = input.request.photographs[night.photographs.front()].file;
-  const auto camera = uses::camera_of(first).value_or("camera of " + first);
-  if (night.curve) fmt::print("tone curve   {} ({})\n", in_words(*night.curve), one_line(camera));
-  if (night.response) fmt::print("response     {} ({})\n", *night.response, one_line(camera));
-  if (!night.clock) return;
-  const auto& [seconds, error_s] = *night.clock;
-  const auto zone = zone_of(night, input);
-  fmt::print("clock        {:+.1f} min to be added, {:.1f} to {:.1f} ({}){}\n", seconds / 60,
-             (seconds - error_s) / 60, (seconds + error_s) / 60, one_line(camera),
-             zone.empty()
-                 ? ""
-                 : fmt::format(": {:.0f} minutes from {}", std::abs(seconds) / 60, one_line(zone)));
-}
-
-void print_table(const Input& input, const uses::FitReport& found) {
-  const auto& [fit, photographs, nights] = found;
-  const auto& p = fit.posterior;
-  for (std::size_t i = 0; i < photographs.size(); ++i)
-    print_photograph(photographs[i], input.request.photographs[i].file);
-  for (const auto& [file, why] : input.undated)
-    fmt::print("{}: left out: {}\n", one_line(file), one_line(why));
-  std::string flags;
-  for (std::size_t a = 0; a < p.estimates.size(); ++a) {
-    const auto& unknown = uses::unknowns_of(fit.unknowns)[a];
-    const auto& estimate = p.estimates[a];
-    fmt::print("{:<22} {:>9.3g}  {:.3g} to {:.3g} {}{}\n", unknown.title,
-               unknown.from_axis(estimate.median), unknown.from_axis(estimate.low),
-               unknown.from_axis(estimate.high), unknown.unit,
-               estimate.information < no_information ? " (not determined)" : "");
-    flags += fmt::format(" --{} {:.3g}", unknown.parameter, unknown.from_axis(estimate.median));
-  }
-  for (const auto& night : nights) print_night(night, input);
-  fmt::print(
-      "correlation  aerosol and cloud {:+.2f}, aerosol and ozone {:+.2f}, cloud and ozone "
-      "{:+.2f}\n",
-      p.correlation[0][1], p.correlation[0][2], p.correlation[1][2]);
-  fmt::print("chi squared  {:.1f} of {} numbers\n", p.least_chi_squared, fit.measurements);
-  fmt::print("to bake it  {}\n", flags);
+/// Adds what the command line knows: moments as they were told, zones of the clocks, photographs without a date.
+void add_told(const Input& input, uses::FitReport& found) {
+  for (std::size_t i = 0; i < input.instants.size(); ++i)
+    found.photographs[i].instant = input.instants[i];
+  for (auto& night : found.nights)
+    if (night.clock && !input.zones.empty())
+      night.clock->zone = input.zones[night.photographs.front()];
+  found.photographs.insert(found.photographs.end(), input.undated.begin(), input.undated.end());
 }
 
 void require_sound(const Options& options) {
@@ -333,101 +168,33 @@ void require_sound(const Options& options) {
   for (const auto& file : options.outputs) uses::require_light_file(file);
 }
 
-/// Light over other light, by its logarithm: "+12 %", or "-1.3 stops" where the two differ much.
-std::string ratio_in_words(double logarithm) {
-  return std::abs(logarithm) < 0.5 ? fmt::format("{:+.1f} %", 100 * std::expm1(logarithm))
-                                   : fmt::format("{:+.1f} stops", logarithm / std::log(2));
-}
-
-/// Options to try against a suspected reason of a misfit.
-const char* remedy(uses::Suspect suspect) {
-  using enum uses::Suspect;
-  switch (suspect) {
-    case instant:
-      return "its instant (--instants), or leave it out";
-    case exposure:
-      return "its exposure (--times, --isos), or leave it out";
-    case colours:
-      return "the camera's filters (--response), its white balance (--white-balance-error), the "
-             "tone "
-             "curve (--coding)";
-    case clock:
-      return "the clock (--zone, --clock-error), the place (--at)";
-    case tone_curve:
-      return "the tone curve (--coding), the exposures";
-    case air:
-      return "another air (--atmosphere), another eclipse";
-  }
-  return "";
-}
-
-/// Photograph and channel that misfit most, what to try, and mirrored photographs.
-std::string misfit_of(const uses::Suspicion& suspicion, const uses::FitRequest& request) {
-  const auto& worst = suspicion.worst;
-  auto text =
-      fmt::format("worst: {} in {}, {} in the {}, {:.0f} km from the shadow's axis; try: {}",
-                  request.photographs[worst.photograph].file, channel_names[worst.channel],
-                  ratio_in_words(worst.worst), uses::part_of_shadow(worst.worst_km), worst.worst_km,
-                  remedy(suspicion.suspect));
-  for (const auto i : suspicion.mirrored)
-    text += fmt::format("; mirrored: {}", request.photographs[i].file);
-  return text;
-}
-
-void print_misfits(const Input& input, const uses::FitReport& found) {
-  if (found.nights.empty()) return;
-  if (const auto suspicion = suspicion_of(found))
-    fmt::print("misfit       {}\n", one_line(misfit_of(*suspicion, input.request)));
-  fmt::print("misfits      light over that of the air found; chi squared and its numbers\n");
-  for (const auto& night : found.nights)
-    for (const auto& misfit : night.misfits)
-      fmt::print("{} {:<5} {:>11}, {} at {:.0f} km from the axis; {:.1f} of {}\n",
-                 one_line(input.request.photographs[misfit.photograph].file),
-                 channel_names[misfit.channel], ratio_in_words(misfit.mean),
-                 ratio_in_words(misfit.worst), misfit.worst_km, misfit.chi_squared, misfit.count);
-}
-
-/// Message, in one line, for air that explains nothing.
-std::string misfit_of(const uses::FitReport& found, const uses::FitRequest& request) {
-  const auto& fit = found.fit;
-  const auto suspicion = suspicion_of(found);
-  return fmt::format(
-      "no air explains this: chi squared = {:.1f} of {} numbers, allowed up to {:.1f}; {}",
-      fit.posterior.least_chi_squared, fit.measurements, most_chi_squared(fit),
-      suspicion ? misfit_of(*suspicion, request)
-                : "likely: a list of another eclipse or of other bands, or standard errors that "
-                  "are too small");
-}
-
 void run(const Options& options) {
   require_sound(options);
   const auto input = input_of(options);
-  const auto found = [&] {
+  auto found = [&] {
     ProgressBar bar("fit");
     return uses::fitted_air(input.request, bar.progress());
   }();
-  if (!explains(found.fit)) {
-    const auto why = misfit_of(found, input.request);
-    if (!options.despite_misfit) {
-      if (!options.json) print_misfits(input, found);
-      throw algebra::Error(why + "; --despite-misfit answers all the same");
-    }
-    fmt::print(stderr, "coppermoon: {}\n", one_line(why));
+  add_told(input, found);
+  const bool explained = explains(found.fit);
+  if (!explained && !options.despite_misfit) {
+    if (!options.json) print_misfits(found);
+    throw algebra::Error(misfit_in_words(found) + "; --despite-misfit answers all the same");
   }
+  if (!explained) fmt::print(stderr, "coppermoon: {}\n", one_line(misfit_in_words(found)));
   std::vector<std::vector<uses::MeasuredLight>> nights;
   for (const auto& night : found.nights) nights.push_back(night.light);
   for (const auto& file : options.outputs) uses::write_measured_light(file, nights);
   std::vector<std::string> as_told;
-  for (std::size_t i = 0; i < found.photographs.size(); ++i)
-    if (const auto& read = found.photographs[i]; read.left_out.empty() && !read.curved)
-      as_told.push_back(input.request.photographs[i].file);
+  for (const auto& read : found.photographs)
+    if (read.left_out.empty() && !read.curved) as_told.push_back(read.file);
   warn_of_developers(as_told, options.coding);
   for (const auto& night : found.nights)
     if (const auto doubt = night.curve ? doubt_of(*night.curve) : ""; !doubt.empty())
       fmt::print(stderr, "coppermoon: {}\n", doubt);
-  if (options.json) return print_json(input, found);
-  print_table(input, found);
-  if (options.misfits || !explains(found.fit)) print_misfits(input, found);
+  if (options.json) return void(fmt::print("{}\n", result::as_json(found).dump(2)));
+  print_fit(found);
+  if (options.misfits || !explained) print_misfits(found);
 }
 
 void add_photograph_options(Verb& verb, Options& options) {
@@ -519,7 +286,7 @@ void add_fit(Program& program) {
                  "prints how each photograph and channel differs from the air that was found; done "
                  "in any case where no air explains them")
       .not_beside({{"json"}});
-  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  add_json_switch(verb, options->json, {result::fields_of<uses::FitReport>});
   on_run(verb, [options] { run(*options); });
 }
 

@@ -92,7 +92,7 @@ TEST_F(Fit, OfAPhotographFindsItsAir) {
   const auto& photograph = counted["photographs"][0];
   EXPECT_GT(photograph["numbers"], 20);
   EXPECT_EQ(photograph["exposure_known"], true) << "EXPTIME, and a gain";
-  EXPECT_EQ(photograph["clipped_at"]["from"], "greatest");
+  EXPECT_EQ(photograph["clipped_at"]["source"], "greatest");
   EXPECT_WITHIN(counted["cloud_cover"]["median"].get<double>(), 0.4, 0.15, "as above");
 }
 
@@ -274,6 +274,8 @@ TEST_F(FitThoroughly, FindsAClockThatIsSevenMinutesFromTheMomentsTold) {
   const auto answer = uses::fitted_air(request);
   EXPECT_WITHIN(answer.nights.front().clock->seconds, truth.clock_s, 30,
                 "what is asked for, of 90 nights in a hundred");
+  EXPECT_EQ(answer.nights.front().turns,
+            (std::vector{uses::Again::in_its_air, uses::Again::by_its_curve}));
 }
 
 TEST_F(FitThoroughly, OfAStrangersNightFindsTheClock) {

@@ -57,9 +57,9 @@ Held held_at(const Occasion& occasion) {
   return held;
 }
 
-uses::AirFit fitted_to(const uses::NightPhotograph& night, const uses::FittedLight& light) {
+uses::AirFit fitted_to(const uses::Binned& night, const uses::FittedLight& light) {
   const uses::ComparedNight compared(std::span(&night, 1), {});
-  const uses::DataSet data{&light, [&](const auto& of_air) { return compared.goodness(of_air); },
+  const uses::DataSet data{light, [&](const auto& of_air) { return compared.goodness(of_air); },
                            compared.count()};
   return uses::fitted_air({&data, 1});
 }
@@ -68,8 +68,9 @@ uses::AirFit fitted_to(const uses::NightPhotograph& night, const uses::FittedLig
 uses::AirFit fitted_twice(const uses::MoonPart& photo, double value_per_cd_m2, const Held& held,
                           const uses::FitScene& scene, const uses::FittedLight& light) {
   const auto night_of = [&](const uses::FitScene& of_air, const colour::Registration& found,
-                            bool in_its_air) -> uses::NightPhotograph {
-    return {of_air,
+                            bool in_its_air) -> uses::Binned {
+    return {0,
+            std::make_shared<const uses::FitScene>(of_air),
             binned(of_air, photo, found.render_to_photo),
             {.value_per_cd_m2 = value_per_cd_m2,
              .place_error_km = place_error_km(of_air, found, in_its_air)}};

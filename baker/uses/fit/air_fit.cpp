@@ -43,11 +43,11 @@ Axes axes_over(Unknowns unknowns, const AirRange& range) {
 
 /// Range in which the light of all data sets is known.
 AirRange range_of(std::span<const DataSet> data) {
-  auto range = data.front().light->range();
+  auto range = data.front().light.range();
   for (const auto& set : data)
     for (std::size_t a = 0; a < range.size(); ++a) {
-      range[a][0] = std::max(range[a][0], set.light->range()[a][0]);
-      range[a][1] = std::min(range[a][1], set.light->range()[a][1]);
+      range[a][0] = std::max(range[a][0], set.light.range()[a][0]);
+      range[a][1] = std::min(range[a][1], set.light.range()[a][1]);
     }
   return range;
 }
@@ -79,7 +79,7 @@ void add_over_cloud(const DataSet& data, const FittedLight::OverCloud& light,
   for (std::size_t j = 0; j < clouds.size(); ++j) {
     const auto found = data.goodness(light.under(clouds[j]));
     chi_squared[j] += found.chi_squared;
-    clocks[j] = {found.clock_s, std::sqrt(found.clock_variance_s2)};
+    clocks[j] = {found.clock_s, std::sqrt(found.clock_variance_s2), {}};
   }
 }
 
@@ -92,7 +92,7 @@ std::vector<double> values_on(const std::vector<double>& axis, const Unknown& un
 
 Evaluation evaluated(const Axes& axes, std::span<const DataSet> data,
                      const algebra::Progress& progress) {
-  const auto& unknowns = unknowns_of(data.front().light->unknowns());
+  const auto& unknowns = unknowns_of(data.front().light.unknowns());
   const auto aerosols = values_on(axes[0], unknowns[0]), clouds = values_on(axes[1], unknowns[1]),
              ozones = values_on(axes[2], unknowns[2]);
   const auto rows = aerosols.size() * ozones.size();
@@ -102,7 +102,7 @@ Evaluation evaluated(const Axes& axes, std::span<const DataSet> data,
   tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t row) {
     const double aerosol = aerosols[row / ozones.size()], ozone = ozones[row % ozones.size()];
     for (std::size_t d = 0; d < data.size(); ++d)
-      add_over_cloud(data[d], data[d].light->over_cloud(aerosol, ozone), clouds,
+      add_over_cloud(data[d], data[d].light.over_cloud(aerosol, ozone), clouds,
                      all.chi_squared.row(row), all.clocks[d].row(row));
     progress(static_cast<double>(++done) / static_cast<double>(rows));
   });
@@ -115,13 +115,13 @@ ClockError over_all_air(const algebra::Grid<double>& chi_squared, double least, 
   double sum = 0, mean = 0, squares = 0;
   for (std::size_t i = 0; i < chi_squared.values().size(); ++i) {
     const double mass = std::exp((least - chi_squared.values()[i]) / scale / 2);
-    const auto& [seconds, error_s] = clocks.values()[i];
+    const auto& [seconds, error_s, zone] = clocks.values()[i];
     sum += mass;
     mean += mass * seconds;
     squares += mass * (seconds * seconds + scale * error_s * error_s);
   }
   mean /= sum;
-  return {mean, std::sqrt(std::max(0., squares / sum - mean * mean))};
+  return {mean, std::sqrt(std::max(0., squares / sum - mean * mean)), {}};
 }
 
 /// Posterior with all variances larger by a factor; where the grid's steps are fine, between its points too.
@@ -197,7 +197,7 @@ AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progre
   AirFit result;
   for (const auto& set : data) result.measurements += set.count;
   const double freedom = freedom_of(result.measurements);
-  result.unknowns = data.front().light->unknowns();
+  result.unknowns = data.front().light.unknowns();
   auto axes = axes_over(result.unknowns, range_of(data));
   for (std::size_t look = 1;; ++look) {
     const auto [chi_squared, clocks] = evaluated(axes, data, [&](double part) {

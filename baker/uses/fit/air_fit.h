@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "uses/fit/fitted_light.h"
@@ -20,7 +21,7 @@ struct GoodnessOfFit {
 
 /// Measurements of one night, or of one moment's magnitudes.
 struct DataSet {
-  const FittedLight* light;
+  FittedLight light;
   std::function<GoodnessOfFit(const algebra::Grid<double>& light)> goodness;  ///< of light in bins
   std::size_t count;                                                          ///< of measurements
 };
@@ -28,6 +29,7 @@ struct DataSet {
 /// Correction of a clock, to be added to its instants.
 struct ClockError {
   double seconds = 0, error_s = 0;  ///< mean and standard error
+  std::string zone{};               ///< that its instants were told in; empty: another way
 };
 
 /// Air fitted to data sets.
@@ -41,8 +43,8 @@ struct AirFit {
 
 /// Posterior of the air, given all data sets: a grid over the range in which their light is known, made finer about
 /// what is probable, twice to five times, until its steps are within a standard deviation. All data sets have light of
-/// the same unknowns. Where the least χ² exceeds the degrees of freedom by more than one standard deviation, which chance
-/// may explain, all errors are scaled up to match.
+/// the same unknowns. Where the least χ² exceeds the degrees of freedom by more than one standard deviation, which
+/// chance may explain, all errors are scaled up to match.
 AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progress = {});
 
 /// Range of the unknowns about what is probable: three widths of the interval beyond it, at least a quarter of the

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "uses/fit/fit.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -21,24 +18,12 @@
 namespace coppermoon::uses {
 namespace {
 
+/// How often nights are looked at again at most.
+constexpr int most_turns = 4;
+
 struct Earlier {
   bool operator()(const almanac::Instant& one, const almanac::Instant& other) const {
     return almanac::seconds_between(one, other) > 0;
-  }
-};
-
-/// All data, and what they refer to.
-struct Evidence {
-  std::vector<std::vector<std::size_t>> photographs;        ///< [night] of the request
-  std::vector<std::unique_ptr<const FitRequest>> requests;  ///< [night] with its camera's response
-  std::vector<std::unique_ptr<Night>> nights;
-  std::vector<MagnitudeData> magnitudes;
-
-  std::vector<DataSet> data() const {
-    std::vector<DataSet> all;
-    for (const auto& night : nights) all.push_back(night->data());
-    for (const auto& magnitude : magnitudes) all.push_back(magnitude.data);
-    return all;
   }
 };
 
@@ -85,7 +70,7 @@ ByNight nights_of(const FitRequest& request, LeftOut& left_out) {
   ByNight nights;
   for (std::size_t i = 0; i < request.photographs.size(); ++i) try {
       const auto& photograph = request.photographs[i];
-      if (request.clock_error_s == 0 && !request.half_hours_free && request.clock_search_s == 0)
+      if (request.clock_error_s == 0 && !clock_is_free(request))
         require_eclipse(photograph.instant);
       const auto eclipse = eclipse::nearest_eclipse(
           photograph.instant, eclipse::ShadowConvention::danjon, almanac::LunarTheory::moon98);
@@ -109,70 +94,46 @@ std::optional<std::string> usual_response(const EclipsePhotograph& photograph) {
   return own_curve ? std::optional<std::string>("canon-eos-600d") : std::nullopt;
 }
 
-void add_nights(const FitRequest& request, const ByNight& nights, Steps& steps, Evidence& evidence,
-                LeftOut& left_out) {
-  for (const auto& [key, indices] : nights) try {
-      std::vector<const EclipsePhotograph*> photographs;
-      for (const auto i : indices) photographs.push_back(&request.photographs[i]);
-      auto of_night = std::make_unique<FitRequest>(request);
-      auto& response = of_night->moon.response;
-      if (!response) {
-        response = usual_response(*photographs.front());
-        of_night->response_assumed =
-            response &&
-            !colour::spectral_camera_of(camera_of(photographs.front()->file).value_or(""));
-      }
-      evidence.nights.push_back(
-          std::make_unique<Night>(*of_night, std::move(photographs), steps.next()));
-      evidence.requests.push_back(std::move(of_night));
-      evidence.photographs.push_back(indices);
-    } catch (const algebra::Error& error) {
-      for (const auto i : indices) left_out.add(i, error);
-    }
-}
-
-ByInstant moments_of(const FitRequest& request) {
-  ByInstant by_instant;
-  for (const auto& magnitude : request.magnitudes)
-    by_instant[magnitude.instant].push_back(magnitude);
-  return by_instant;
-}
-
-void add_magnitudes(const FitRequest& request, const ByInstant& by_instant, Steps& steps,
-                    Evidence& evidence) {
-  for (const auto& [instant, magnitudes] : by_instant)
-    evidence.magnitudes.push_back(data_of(request.moon, unknowns_of(request),
-                                          almanac::sky_at(instant), magnitudes, steps.next()));
-}
-
-constexpr int most_readings = 4;
-
-/// Air fitted, and again to photographs read, and to light computed, by what was found.
-AirFit fitted(const Evidence& evidence, Steps& steps) {
-  auto fit = fitted_air(evidence.data(), steps.next());
-  for (int reading = 0; reading < most_readings; ++reading) {
-    bool anew = false;
-    for (const auto& night : evidence.nights) anew = night->refine(fit) || anew;
-    if (!anew) break;
-    fit = fitted_air(evidence.data(), steps.next());
+/// Request for one night: some of the photographs alone, through their camera's response.
+FitRequest request_of(FitRequest request, const std::vector<std::size_t>& indices) {
+  const auto all = std::exchange(request.photographs, {});
+  for (const auto i : indices) request.photographs.push_back(all[i]);
+  request.magnitudes.clear();
+  if (auto& response = request.moon.response; !response) {
+    const auto& first = request.photographs.front();
+    response = usual_response(first);
+    request.response_assumed =
+        response && !colour::spectral_camera_of(camera_of(first.file).value_or(""));
   }
-  return fit;
+  return request;
 }
 
-FittedNight found_of(const FitRequest& request, const Evidence& evidence, std::size_t n,
-                     const AirFit& fit) {
-  const auto& night = *evidence.nights[n];
-  FittedNight found{.photographs = evidence.photographs[n],
-                    .clock = {},
-                    .response = evidence.requests[n]->moon.response,
-                    .curve = {},
-                    .light = night.measured(fit),
-                    .misfits = night.misfits(fit)};
-  for (auto& misfit : found.misfits) misfit.photograph = found.photographs[misfit.photograph];
-  if (request.clock_error_s > 0)
-    found.clock = ClockError{night.clock_s() + fit.clocks[n].seconds, fit.clocks[n].error_s};
-  if (night.curved()) found.curve = night.curve(fit);
-  return found;
+/// A night, its photographs in the whole request, and why it was looked at again.
+struct NightOf {
+  std::vector<std::size_t> photographs;
+  Night night;
+  std::vector<Again> turns{};
+};
+
+/// Air that is fitted to nights and magnitudes: while a night's photographs or light would change by what was found
+/// they are looked at again, and the air is fitted again.
+AirFit fitted(std::vector<NightOf>& nights, const std::vector<DataSet>& magnitudes, Steps& steps) {
+  auto progress = steps.next();
+  for (int turn = 0;; ++turn) {
+    std::vector<DataSet> data;
+    for (const auto& each : nights) data.push_back(data_of(each.night));
+    data.insert(data.end(), magnitudes.begin(), magnitudes.end());
+    auto fit = fitted_air(data, progress);
+    bool anew = false;
+    for (auto& [photographs, night, turns] : nights)
+      if (const auto why = why_again(night, fit, turn); why != Again::no && turn < most_turns) {
+        night = looked_at_again(std::move(night), why, fit, [&](double) { progress(0); });
+        turns.push_back(why);
+        anew = true;
+      }
+    if (!anew) return fit;
+    progress = steps.next();
+  }
 }
 
 void require_sound(const FitRequest& request) {
@@ -204,19 +165,39 @@ FitReport fitted_air(const FitRequest& request, const algebra::Progress& progres
   FitReport report;
   report.photographs.resize(request.photographs.size());
   LeftOut left_out{request, report.photographs};
-  const auto nights = nights_of(request, left_out);
-  const auto moments = moments_of(request);
-  Steps steps(progress, nights.size() + moments.size() + 1 + most_readings);
-  Evidence evidence;
-  add_nights(request, nights, steps, evidence, left_out);
-  if (evidence.nights.empty() && moments.empty()) throw *left_out.first;
-  add_magnitudes(request, moments, steps, evidence);
-  report.fit = fitted(evidence, steps);
-  for (std::size_t n = 0; n < evidence.nights.size(); ++n) {
-    const auto read = evidence.nights[n]->read();
-    for (std::size_t i = 0; i < read.size(); ++i)
-      report.photographs[evidence.photographs[n][i]] = read[i];
-    report.nights.push_back(found_of(request, evidence, n, report.fit));
+  const auto by_night = nights_of(request, left_out);
+  ByInstant by_instant;
+  for (const auto& magnitude : request.magnitudes)
+    by_instant[magnitude.instant].push_back(magnitude);
+  Steps steps(progress, by_night.size() + by_instant.size() + 1 + most_turns);
+  std::vector<NightOf> nights;
+  for (const auto& [key, indices] : by_night) try {
+      nights.push_back({indices, first_look(request_of(request, indices), steps.next())});
+    } catch (const algebra::Error& error) {
+      for (const auto i : indices) left_out.add(i, error);
+    }
+  if (nights.empty() && by_instant.empty()) throw *left_out.first;
+  std::vector<DataSet> magnitudes;
+  for (const auto& [instant, measured] : by_instant)
+    magnitudes.push_back(data_of(request.moon, unknowns_of(request), almanac::sky_at(instant),
+                                 measured, steps.next()));
+  report.fit = fitted(nights, magnitudes, steps);
+  for (std::size_t n = 0; n < nights.size(); ++n) {
+    const auto& [photographs, night, turns] = nights[n];
+    const auto read = photographs_of(night);
+    for (std::size_t i = 0; i < read.size(); ++i) report.photographs[photographs[i]] = read[i];
+    auto& found = report.nights.emplace_back(found_of(night, report.fit, report.fit.clocks[n]));
+    found.photographs = photographs;
+    found.turns = turns;
+    for (const auto i : photographs) found.files.push_back(request.photographs[i].file);
+    for (auto& misfit : found.misfits) {
+      misfit.photograph = photographs[misfit.photograph];
+      misfit.file = request.photographs[misfit.photograph].file;
+    }
+  }
+  for (std::size_t i = 0; i < report.photographs.size(); ++i) {
+    report.photographs[i].file = request.photographs[i].file;
+    report.photographs[i].instant = almanac::utc_text(request.photographs[i].instant);
   }
   return report;
 }

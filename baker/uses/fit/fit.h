@@ -65,10 +65,20 @@ struct ReadPhotograph {
   bool curved = false;                    ///< its camera's tone curve was in question
   std::optional<ClippedAt> clipped_at{};  ///< where that is not 1
   std::string left_out{};                 ///< reason in one line; empty: it was used
+  std::string file{};
+  std::optional<std::string> instant{};  ///< as it was told, UTC; none: it has no date
 };
 
 /// Message of an error, without the file's name that it begins with.
 std::string reason_without_name(const std::string& file, const algebra::Error& error);
+
+/// Why a night is looked at again with what was found.
+enum class Again {
+  no,            ///< nothing of it would change
+  in_its_air,    ///< its photographs were registered in usual air
+  by_its_curve,  ///< its photographs were read by a tone curve that has changed
+  nearby         ///< its light is computed at nodes too far from the air found
+};
 
 /// Camera of one night, as found.
 struct FittedNight {
@@ -79,6 +89,8 @@ struct FittedNight {
   std::optional<colour::ToneCurve> curve;
   std::vector<MeasuredLight> light;  ///< in order of distance
   std::vector<Misfit> misfits;       ///< photographs of the request
+  std::vector<Again> turns;          ///< why it was looked at again, each time
+  std::vector<std::string> files;    ///< of its photographs
 };
 
 /// Air that was found, and the photographs and cameras that it is from.

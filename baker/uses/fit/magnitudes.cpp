@@ -4,12 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
 #include <numeric>
-#include <optional>
 #include <sstream>
 #include <string_view>
 
@@ -52,53 +49,38 @@ double number_in(const std::string& cell, const char* what, double least, double
   return *number;
 }
 
-constexpr std::array<std::string_view, 4> column_names{"instant", "band", "magnitude", "error"};
+/// Refuses names of columns that are missing, there twice, or unknown.
+void require_columns(const std::vector<std::string>& names) {
+  const auto count = [&](std::string_view name) { return std::ranges::count(names, name); };
+  const auto errors = count("error");
+  if (count("instant") == 1 && count("band") == 1 && count("magnitude") == 1 && errors <= 1 &&
+      std::ssize(names) == 3 + errors)
+    return;
+  throw algebra::Error(
+      fmt::format("columns = {}, allowed instant, band, magnitude and, if you like, error, each "
+                  "once, with commas between",
+                  fmt::join(names, ",")));
+}
 
-/// Columns of a list, as its first line names them.
-class Columns {
- public:
-  explicit Columns(std::vector<std::string> names) : names_(std::move(names)) {
-    const auto of = [&](std::string_view name) { return std::ranges::count(names_, name); };
-    const bool each_once = std::ranges::all_of(column_names, [&](auto name) {
-      return of(name) == 1 || (name == column_names.back() && of(name) == 0);
-    });
-    const bool no_other = std::ranges::all_of(names_, [](const auto& name) {
-      return std::ranges::find(column_names, name) != column_names.end();
-    });
-    if (!each_once || !no_other)
-      throw algebra::Error(fmt::format(
-          "columns = {}, allowed instant, band, magnitude and, if you like, error, each once, "
-          "with commas between",
-          fmt::join(names_, ",")));
-  }
-
-  /// A line's cells, by name.
-  std::map<std::string, std::string> named(const std::vector<std::string>& cells) const {
-    if (cells.size() < names_.size())
-      throw algebra::Error("a line of fewer columns than the first");
-    if (cells.size() > names_.size())
-      throw algebra::Error(
-          fmt::format("{} columns, allowed {} as in the first line, and decimal points, no commas, "
-                      "in numbers",
-                      cells.size(), names_.size()));
-    std::map<std::string, std::string> named;
-    for (std::size_t i = 0; i < cells.size(); ++i) named[names_[i]] = cells[i];
-    return named;
-  }
-
- private:
-  std::vector<std::string> names_;
-};
-
-MeasuredMagnitude measured_in(const std::vector<std::string>& cells, const Columns& columns) {
+MeasuredMagnitude measured_in(const std::vector<std::string>& cells,
+                              const std::vector<std::string>& names) {
   // whole numbers are excluded: digits after a decimal comma would pass for an error
   constexpr double least_error = 1e-3, most_error = 0.99;
-  auto named = columns.named(cells);
-  const auto instant = almanac::instant_from_utc(named["instant"]);
-  band_named(named["band"]);
-  MeasuredMagnitude measured{instant, named["band"],
-                             number_in(named["magnitude"], "magnitude", -30, 30)};
-  if (const auto& error = named["error"]; !error.empty())
+  if (cells.size() < names.size()) throw algebra::Error("a line of fewer columns than the first");
+  if (cells.size() > names.size())
+    throw algebra::Error(
+        fmt::format("{} columns, allowed {} as in the first line, and decimal points, no commas, "
+                    "in numbers",
+                    cells.size(), names.size()));
+  const auto cell = [&](std::string_view name) {
+    const auto at = std::ranges::find(names, name) - names.begin();
+    return at < std::ssize(cells) ? cells[static_cast<std::size_t>(at)] : "";
+  };
+  const auto instant = almanac::instant_from_utc(cell("instant"));
+  band_named(cell("band"));
+  MeasuredMagnitude measured{instant, cell("band"),
+                             number_in(cell("magnitude"), "magnitude", -30, 30)};
+  if (const auto error = cell("error"); !error.empty())
     measured.error = number_in(error, "error of a magnitude", least_error, most_error);
   return measured;
 }
@@ -142,7 +124,7 @@ std::vector<MeasuredMagnitude> read_magnitudes(const std::string& file) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   std::istringstream lines(text.starts_with(byte_order_mark) ? text.substr(byte_order_mark.size())
                                                              : text);
-  std::optional<Columns> columns;
+  std::vector<std::string> names;
   std::vector<MeasuredMagnitude> all;
   std::size_t number = 0;
   for (std::string line; std::getline(lines, line);) {
@@ -150,7 +132,10 @@ std::vector<MeasuredMagnitude> read_magnitudes(const std::string& file) {
     if (line.starts_with('#') || line.find_first_not_of(" \t\r") == std::string::npos) continue;
     try {
       const auto cells = cells_of(line);
-      columns ? all.push_back(measured_in(cells, *columns)) : void(columns.emplace(cells));
+      if (names.empty())
+        require_columns(names = cells);
+      else
+        all.push_back(measured_in(cells, names));
     } catch (const algebra::Error& error) {
       throw algebra::Error(fmt::format("{}:{}: {}", file, number, error.what()));
     }
@@ -159,15 +144,14 @@ std::vector<MeasuredMagnitude> read_magnitudes(const std::string& file) {
   return all;
 }
 
-MagnitudeData data_of(const MoonRequest& moon, Unknowns unknowns, const almanac::SkyState& sky,
-                      const std::vector<MeasuredMagnitude>& of_one_instant,
-                      const algebra::Progress& progress) {
+DataSet data_of(const MoonRequest& moon, Unknowns unknowns, const almanac::SkyState& sky,
+                const std::vector<MeasuredMagnitude>& of_one_instant,
+                const algebra::Progress& progress) {
   require_eclipse(sky.when);
   const auto meter = photometer();
   const LitBins whole_disc{meter.weights, places_of(moon, sky), 1};
-  auto light =
-      std::make_unique<const FittedLight>(moon.light, unknowns, std::span(&sky, 1),
-                                          std::span(&whole_disc, 1), FittedAirs::fine, progress);
+  FittedLight light(moon.light, unknowns, std::span(&sky, 1), std::span(&whole_disc, 1),
+                    FittedAirs::fine, progress);
   const auto unshadowed = unshadowed_magnitudes(moon, sky, meter);
   std::vector<double> whole;
   for (std::size_t k = 0; k < meter.weights.rows(); ++k) {
@@ -186,8 +170,7 @@ MagnitudeData data_of(const MoonRequest& moon, Unknowns unknowns, const almanac:
     }
     return GoodnessOfFit{sum};
   };
-  const auto* fitted = light.get();
-  return {std::move(light), {fitted, goodness, of_one_instant.size()}};
+  return {std::move(light), goodness, of_one_instant.size()};
 }
 
 }  // namespace coppermoon::uses

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,20 +26,14 @@ struct MeasuredMagnitude {
 ///                the first, as decimal commas make it
 std::vector<MeasuredMagnitude> read_magnitudes(const std::string& file);
 
-/// Magnitudes of one moment as a data set, and the light that it refers to.
-struct MagnitudeData {
-  std::unique_ptr<const FittedLight> light;
-  DataSet data;
-};
-
 /// Magnitudes of one moment as a data set. Each error gets 0.02 mag of the computation added in quadrature.
 ///
 /// Given   moon             light as FittedLight takes it, map and photometry
 ///         sky              of that moment
 ///         of_one_instant   whose own instants are ignored
 /// Throws  Error            when no eclipse is under way
-MagnitudeData data_of(const MoonRequest& moon, Unknowns unknowns, const almanac::SkyState& sky,
-                      const std::vector<MeasuredMagnitude>& of_one_instant,
-                      const algebra::Progress& progress = {});
+DataSet data_of(const MoonRequest& moon, Unknowns unknowns, const almanac::SkyState& sky,
+                const std::vector<MeasuredMagnitude>& of_one_instant,
+                const algebra::Progress& progress = {});
 
 }  // namespace coppermoon::uses

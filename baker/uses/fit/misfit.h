@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "uses/fit/fit.h"
@@ -18,6 +20,10 @@ enum class Suspect {
   tone_curve,  ///< differences are beyond the umbra too
   air          ///< differences are alike in all photographs of the umbra
 };
+
+/// Names of suspects, in their order.
+inline constexpr std::array<std::string_view, 6> suspect_names{"instant", "exposure",   "colours",
+                                                               "clock",   "tone curve", "air"};
 
 /// Likely reason of a misfit, and the photograph and channel that misfit most.
 struct Suspicion {

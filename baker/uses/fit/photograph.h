@@ -4,27 +4,13 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "algebra/grid.h"
 #include "colour/registration.h"
-#include "colour/tone_curve.h"
 #include "texture/image.h"
 #include "uses/fit/scene.h"
 
 namespace coppermoon::uses {
-
-/// Derivatives of the logarithm of a bin's light by the numbers of a tone curve.
-using ToneSlopes = std::array<double, colour::tone_numbers>;
-
-/// Light of a photograph in the bins of a scene, (bin, channel), linear Rec.709, with standard errors.
-struct BinnedPhotograph {
-  algebra::Grid<double> values;       ///< light over sunlit light; 0: unknown
-  algebra::Grid<double> errors;       ///< of the values, from differences of near pixels
-  algebra::Grid<double> sky_errors;   ///< of the sky's light, common to the bins of a channel
-  algebra::Grid<double> glow_errors;  ///< of the glow's light, common to bins and channels
-  algebra::Grid<ToneSlopes> slopes;   ///< empty: linear light, no curve is in question
-};
 
 /// A photograph's Moon and what is around it, shrunk by a whole factor while its disc stays half as wide again as a
 /// scene's. Where any pixel of those that become one is clipped the brightest stands for them, where most are black 0.
@@ -42,8 +28,8 @@ struct MoonPart {
 /// Throws  Error  when there is no disc, also in the photograph halved in size once or twice; as colour::limb_of
 MoonPart moon_part(const texture::Image& photo);
 
-/// Reason why a photograph is not registered. Where half of its Moon or more is clipped or dark, the shares are added, and
-/// what is needed.
+/// Reason why a photograph is not registered. Where half of its Moon or more is clipped or dark, the shares are added,
+/// and what is needed.
 std::string reason_with_shares(const MoonPart& moon, const std::string& reason);
 
 /// How finely a photograph is registered.
@@ -62,16 +48,16 @@ colour::Registration registration_of(const FitScene& scene, const MoonPart& moon
                                      const std::optional<double>& scale = {},
                                      Registering how = Registering::of_clipped);
 
-/// Distance of the registered disc from that of the limb, as far as it is beyond the 0.3 by which a limb errs, in the larger
-/// pixels of photograph and scene [km].
+/// Distance of the registered disc from that of the limb, as far as it is beyond the 0.3 by which a limb errs, in the
+/// larger pixels of photograph and scene [km].
 double off_limb_km(const FitScene& scene, const colour::Registration& registration);
 
 /// Standard error of a registration, in any direction [km].
 ///
-/// In the larger pixels of photograph and scene: 0.3 for a Moon in the umbra, 0.8 where ground beyond the umbra is
-/// lit, for a bright limb misleads registration; against the Moon in the air that was found, in the scale of all of the
-/// night's photographs, 0.2 for both; in quadrature 2 (1 − correlation), for noise, and off_limb_km: where limb and markings
-/// disagree neither is believed.
+/// In the larger pixels of photograph and scene: 0.3 for a Moon in the umbra, 0.8 where ground beyond the umbra is lit,
+/// for a bright limb misleads registration; against the Moon in the air that was found, in the scale of all of the
+/// night's photographs, 0.2 for both; in quadrature 2 (1 − correlation), for noise, and off_limb_km: where limb and
+/// markings disagree neither is believed.
 ///
 /// Given   in_its_air  whether it was registered so
 /// Source  errors measured on simulated photographs: in the middle of the umbra 0.03, by its edge 0.2 to 0.45, at a
@@ -80,15 +66,7 @@ double off_limb_km(const FitScene& scene, const colour::Registration& registrati
 double place_error_km(const FitScene& scene, const colour::Registration& registration,
                       bool in_its_air = false);
 
-/// Bins a photograph's light. Clipped pixels are left out; a bin is left out of which more than 0.5 % is clipped or
-/// more than 2 % is black. Light of the sky and glow of the lens, measured beside the disc, are subtracted. The prior
-/// of the glow is 0.03 ± 0.02 of the light, as lenses have it. The glow subtracted has an error of a quarter of it,
-/// for the glow of real lenses falls by other powers of the angle.
-///
-/// Given   render_to_photo  registration of the scene
-///         curve            tone curve to be undone, pixel by pixel; without: light is linear
-BinnedPhotograph binned(const FitScene& scene, const MoonPart& moon,
-                        const colour::Similarity& render_to_photo,
-                        const std::optional<colour::ToneCurve>& curve = {});
+/// 1 where any channel of a picture is clipped: at least so bright.
+algebra::Grid<float> clipped_in(const texture::Image& photo, float saturated);
 
 }  // namespace coppermoon::uses

@@ -17,6 +17,7 @@
 #include "povray_scenes/camera.h"
 #include "surface/albedo_map.h"
 #include "texture/bake.h"
+#include "uses/fit/lit_bins.h"
 #include "uses/light/moonlight.h"
 #include "uses/light/spectral_bands.h"
 #include "uses/picture/camera.h"
@@ -214,57 +215,6 @@ std::vector<algebra::Grid<double>> differences_by_filters(const FitScene& scene,
   return all;
 }
 
-/// Adds a few places that stand for all of a bin: the means of groups by distance, and within these by position
-/// angle. Evenly spread groups are 10 degrees wide at most: across belts of the air light varies unevenly along wider
-/// ones.
-///
-/// Given  middle_rad  position angle of the disc's centre, from which angles are counted
-void add_groups(std::span<const LitPlace> places, double middle_rad, std::vector<LitPlace>& few) {
-  constexpr std::size_t by_distance = 8;
-  constexpr double widest_rad = pi / 18;
-  struct Sorted {
-    double distance_m, angle_rad;
-    LitPlace lit;
-  };
-  std::vector<Sorted> all;
-  for (const auto& lit : places)
-    all.push_back(
-        {algebra::in_metres(lit.place.axis_distance),
-         std::remainder(algebra::in_radians(lit.place.position_angle) - middle_rad, 2 * pi), lit});
-  std::ranges::sort(all, {}, &Sorted::distance_m);
-  const auto part = [](std::span<Sorted> whole, std::size_t i, std::size_t parts) {
-    const auto from = whole.size() * i / parts, to = whole.size() * (i + 1) / parts;
-    return whole.subspan(from, to - from);
-  };
-  for (std::size_t i = 0; i < by_distance; ++i) {
-    const auto ring = part(all, i, by_distance);
-    if (ring.empty()) continue;
-    std::ranges::sort(ring, {}, &Sorted::angle_rad);
-    const auto by_angle =
-        static_cast<std::size_t>(1 + (ring.back().angle_rad - ring.front().angle_rad) / widest_rad);
-    for (std::size_t j = 0; j < by_angle; ++j) {
-      double sunlit = 0, distance = 0, depth = 0, east = 0, north = 0, colour = 0;
-      const auto group = part(ring, j, by_angle);
-      for (const auto& [distance_m, angle, lit] : group) {
-        sunlit += lit.sunlit;
-        distance += lit.sunlit * distance_m;
-        depth += lit.sunlit * algebra::in_metres(lit.place.depth);
-        colour += lit.sunlit * lit.colour;
-        const double angle_rad = algebra::in_radians(lit.place.position_angle);
-        east += lit.sunlit * std::sin(angle_rad);
-        north += lit.sunlit * std::cos(angle_rad);
-      }
-      if (sunlit == 0) continue;
-      few.push_back({{algebra::metres(distance / sunlit),
-                      algebra::within_circle(algebra::radians(std::atan2(east, north))),
-                      algebra::metres(depth / sunlit)},
-                     sunlit,
-                     group.front().lit.bin,
-                     colour / sunlit});
-    }
-  }
-}
-
 }  // namespace
 
 std::array<double, 3> rec709_of(std::span<const double> xyz) {
@@ -341,17 +291,6 @@ bool lies_in_umbra(const almanac::SkyState& sky) {
   const auto edge = eclipse::shadow_radii(eclipse::ShadowConvention::danjon, axis, moon).umbra;
   return algebra::in_metres(moon.axis_distance + almanac::lunar_radius) <
          algebra::in_metres(eclipse::axis_distance_at(edge, moon));
-}
-
-LitBins lit_bins(const FitScene& scene, const almanac::SkyState& sky) {
-  LitBins lit{scene.weights, {}, scene.bins};
-  const auto axis = eclipse::shadow_axis(sky);
-  std::vector<std::vector<LitPlace>> all(scene.bins);
-  for (const auto& [pixel, ground, sunlit, colour, bin] : scene.grounds)
-    all[bin].push_back({eclipse::place_of_ground(axis, sky, ground), sunlit, bin, colour});
-  const auto middle = eclipse::place_in_shadow(axis, sky.moon_m).position_angle;
-  for (const auto& of_bin : all) add_groups(of_bin, algebra::in_radians(middle), lit.places);
-  return lit;
 }
 
 }  // namespace coppermoon::uses

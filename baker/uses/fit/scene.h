@@ -15,7 +15,6 @@
 #include "colour/limb.h"
 #include "shadow/lookup.h"
 #include "surface/ground.h"
-#include "uses/fit/fitted_light.h"
 #include "uses/fit/sky_and_glow.h"
 #include "uses/picture/moon.h"
 #include "uses/picture/view.h"
@@ -44,8 +43,8 @@ struct FitScene {
   colour::Image moon;                  ///< under the usual air; linear Rec.709
   colour::Image glow = {};             ///< as glow_of; empty: not computed yet
   algebra::Grid<double> usual_values;  ///< (bin, channel): light of that Moon over sunlit light
-  /// (bin, channel): logarithm of that light through each other camera's filters, over that through the response; empty:
-  /// the response is known
+  /// (bin, channel): logarithm of that light through each other camera's filters, over that through the response;
+  /// empty: the response is known
   std::vector<algebra::Grid<double>> by_filters = {};
 };
 
@@ -92,9 +91,5 @@ colour::Image glow_of(const FitScene& scene);
 
 /// Whether all ground lies within the umbra.
 bool lies_in_umbra(const almanac::SkyState& sky);
-
-/// Bins of a scene at another moment: the same ground, elsewhere in the shadow. A few places stand for all ground of
-/// a bin.
-LitBins lit_bins(const FitScene& scene, const almanac::SkyState& sky);
 
 }  // namespace coppermoon::uses

@@ -9,7 +9,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Standard deviation, by the median absolute deviation.
+/// Standard deviation of values among which some are outliers, from their median absolute deviation.
 double spread_of(AroundTheDisc values) {
   constexpr double of_normal = 1.4826;
   const double middle = median_of(values);
@@ -72,7 +72,7 @@ SkyAndGlow sky_and_glow(const AroundTheDisc& light, const AroundTheDisc& glow,
   double error = 0;
   for (int pass = 0; pass < passes; ++pass) {
     error = std::max(spread_of(left), least_error);
-    double w = 0, x = 0, xx = 0, y = 0, xy = 0;  // of glow and light
+    double w = 0, x = 0, xx = 0, y = 0, xy = 0;  // sums for the regression of light on glow
     for (std::size_t i = 0; i < left.size(); ++i) {
       const double off = left[i] / (outlier * error), inner = std::max(0., 1 - off * off),
                    weight = inner * inner;

@@ -23,7 +23,7 @@ struct Unknown {
   double least, most;
   bool logarithmic;  ///< whether the prior is uniform in the logarithm
 
-  /// Value as a posterior's axis has it, and back.
+  /// Place of a value on a posterior's axis, the logarithm where that is uniform; and the value of a place.
   double on_axis(double value) const;
   double from_axis(double place) const;
 };
@@ -46,10 +46,10 @@ AirRange whole_range(Unknowns unknowns);
 /// Unknowns that suit an air: factors where it has cloud by chance and aerosol of a month, else amounts.
 Unknowns usual_unknowns(const Air& air);
 
-/// Air with its unknowns at unit, so that factors on it are values of the parameters.
+/// Air with all fitted factors 1: factors on it are then values of the parameters.
 Air with_unit_factors(Air air);
 
-/// Air of a request in which the unknowns have these values, to be baked.
+/// Air of a request with these numbers of the unknowns, as a bake takes it.
 Air with_unknowns(Air air, Unknowns unknowns, const AirNumbers& numbers);
 
 }  // namespace coppermoon::uses

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "uses/fit/fit.h"
+#include "uses/fit/fit_results.h"
 
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <utility>
 
 #include "uses/light/photometer.h"
 #include "wrappers/python/arguments.h"
@@ -14,12 +12,27 @@
 #include "wrappers/python/fields.h"
 #include "wrappers/python/nouns.h"
 #include "wrappers/python/requests.h"
+#include "wrappers/python/results.h"
 
 namespace coppermoon::python {
+
+/// A night, with all numbers of its tone curve and with its light.
+template <>
+Told<uses::FittedNight> told(const uses::FittedNight& night) {
+  Told<uses::FittedNight> made;
+  describe(Keeps{made.values}, night);
+  if (night.curve) {
+    const auto& numbers = night.curve->numbers;
+    made.values["tone_curve"] = array_of(std::vector<double>(numbers.begin(), numbers.end()));
+  }
+  const auto size = static_cast<py::ssize_t>(night.light.size());
+  made.values["light"] = array_of<uses::MeasuredLight>(night.light, {size});
+  return made;
+}
+
 namespace {
 
-using uses::EclipsePhotograph, uses::Estimate, uses::FitReport, uses::FittedNight,
-    uses::ReadPhotograph;
+using uses::EclipsePhotograph, uses::FitReport, uses::FittedNight;
 
 /// Measured as tuples of moment, band, magnitude and, if known, its error.
 std::vector<uses::MeasuredMagnitude> measured_by(const py::iterable& rows) {
@@ -49,22 +62,6 @@ std::vector<uses::MeasuredMagnitude> measured_by(const py::iterable& rows) {
   return all;
 }
 
-/// An unknown that was found, its logarithm undone; nothing where it was none.
-std::optional<Estimate> found_of(const FitReport& report, uses::Unknowns unknowns, std::size_t i) {
-  if (report.fit.unknowns != unknowns) return std::nullopt;
-  const auto& unknown = uses::unknowns_of(unknowns)[i];
-  const auto& found = report.fit.posterior.estimates[i];
-  return Estimate{unknown.from_axis(found.median), unknown.from_axis(found.low),
-                  unknown.from_axis(found.high), found.information};
-}
-
-/// Attribute of a parameter of the air: "cloud-chance" → "cloud_chance".
-std::string attribute_of(std::string_view parameter) {
-  std::string name(parameter);
-  std::ranges::replace(name, '-', '_');
-  return name;
-}
-
 /// Unknowns by their name; None: those that suit the air.
 std::optional<uses::Unknowns> unknowns_named(const std::optional<std::string>& name) {
   if (!name) return std::nullopt;
@@ -73,14 +70,14 @@ std::optional<uses::Unknowns> unknowns_named(const std::optional<std::string>& n
   throw algebra::Error(fmt::format("unknowns = {}, allowed factors or amounts", *name));
 }
 
-FitReport fit_of(const py::iterable& magnitudes, std::vector<EclipsePhotograph> photographs,
-                 const std::optional<Place>& at, const std::string& camera,
-                 std::optional<double> exposure_error, double shutter_error,
-                 std::optional<double> white_balance_error, double clock_error_s,
-                 bool half_hours_free, const std::optional<std::string>& unknowns,
-                 const std::optional<uses::Air>& air,
-                 const std::optional<uses::LightRequest>& light, const Callback& callback,
-                 const py::kwargs& more) {
+Told<FitReport> fit_of(const py::iterable& magnitudes, std::vector<EclipsePhotograph> photographs,
+                       const std::optional<Place>& at, const std::string& camera,
+                       std::optional<double> exposure_error, double shutter_error,
+                       std::optional<double> white_balance_error, double clock_error_s,
+                       bool half_hours_free, const std::optional<std::string>& unknowns,
+                       const std::optional<uses::Air>& air,
+                       const std::optional<uses::LightRequest>& light, const Callback& callback,
+                       const py::kwargs& more) {
   algebra::require_within("clock_error_s", clock_error_s, 0, 3600);
   TextureKeywords asked{.moon = {}};
   take_objects(asked, air, light, at);
@@ -96,31 +93,12 @@ FitReport fit_of(const py::iterable& magnitudes, std::vector<EclipsePhotograph> 
                                  .white_balance_error = white_balance_error,
                                  .clock_error_s = clock_error_s,
                                  .half_hours_free = half_hours_free};
-  return computed(callback, [&](const algebra::Progress& progress) {
+  return told(computed(callback, [&](const algebra::Progress& progress) {
     return uses::fitted_air(request, progress);
-  });
+  }));
 }
 
-py::array_t<double> correlation_of(const FitReport& found) {
-  algebra::Grid<double> all(3, 3);
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) all(i, j) = found.fit.posterior.correlation[i][j];
-  return array_of(std::move(all));
-}
-
-void add_estimate(py::module_& package) {
-  py::class_<Estimate>(package, "Estimate", "One number of the air, as far as it is known.")
-      .def_readonly("median", &Estimate::median, "as likely above as below")
-      .def_readonly("low", &Estimate::low, "where the middle 68 % of the probability begins")
-      .def_readonly("high", &Estimate::high, "where the middle 68 % of the probability ends")
-      .def_readonly("information", &Estimate::information,
-                    "1 - its variance over that before anything was seen: 0 (nothing learnt) to 1")
-      .def("__repr__", [](const Estimate& e) {
-        return fmt::format("<Estimate {:.3g}, {:.3g} to {:.3g}>", e.median, e.low, e.high);
-      });
-}
-
-void add_photographs(py::module_& package) {
+void add_photograph(py::module_& package) {
   using namespace py::literals;
   py::class_<EclipsePhotograph>(
       package, "Photograph",
@@ -152,98 +130,26 @@ exposure_time_s, iso, f_number: without them as its header says
       .def("__repr__", [](const EclipsePhotograph& one) {
         return fmt::format("<Photograph {} of {}>", one.file, almanac::utc_text(one.instant));
       });
-  py::class_<ReadPhotograph>(package, "PhotographRead", "How a photograph was read for a fit.")
-      .def_readonly("numbers", &ReadPhotograph::measurements, "how many numbers it gave")
-      .def_readonly("exposure_known", &ReadPhotograph::exposure_known,
-                    "whether its exposure was known; else any is as likely")
-      .def_readonly("curved", &ReadPhotograph::curved,
-                    "whether its camera's tone curve was in question")
-      .def_property_readonly(
-          "clipped_at",
-          [](const ReadPhotograph& read) {
-            return read.clipped_at ? std::optional(read.clipped_at->number) : std::nullopt;
-          },
-          "number of a FITS file that counts as clipped: DATAMAX, else the greatest; None: the "
-          "format's own")
-      .def_property_readonly(
-          "mirrored",
-          [](const ReadPhotograph& read) { return read.registration.render_to_photo.mirrored; },
-          "whether it shows the Moon mirrored")
-      .def_property_readonly(
-          "correlation", [](const ReadPhotograph& read) { return read.registration.correlation; },
-          "of its markings with those of the Moon it was laid over, -1 to 1")
-      .def_readonly("left_out", &ReadPhotograph::left_out,
-                    "why it tells nothing, one line; empty when it does");
-}
-
-void add_nights(py::module_& package) {
-  PYBIND11_NUMPY_DTYPE(uses::MeasuredLight, distance_km, channel, light, model, error);
-  py::class_<FittedNight>(package, "Night", "Camera of one night, as far as its photographs tell.")
-      .def_readonly("photographs", &FittedNight::photographs,
-                    "which photographs, by their places in the list")
-      .def_property_readonly(
-          "clock",
-          [](const FittedNight& night) -> std::optional<std::pair<double, double>> {
-            if (!night.clock) return std::nullopt;
-            return std::pair{night.clock->seconds, night.clock->error_s};
-          },
-          "what is to be added to its instants and the standard error [s]; None when they were "
-          "right")
-      .def_property_readonly(
-          "tone_curve",
-          [](const FittedNight& night) -> std::optional<py::array_t<double>> {
-            if (!night.curve) return std::nullopt;
-            const auto& numbers = night.curve->numbers;
-            return array_of(std::vector<double>(numbers.begin(), numbers.end()));
-          },
-          "the camera's tone curve: three principal components, then sixteen levels, each in "
-          "standard "
-          "deviations over cameras; None when none was in question")
-      .def_property_readonly(
-          "light",
-          [](const FittedNight& night) {
-            const auto size = static_cast<py::ssize_t>(night.light.size());
-            return array_of<uses::MeasuredLight>(night.light, {size});
-          },
-          "light over full sunlight, in steps of 100 km: a structured array of distance_km from "
-          "the shadow's axis, channel (0 red), light, model (of the air that was found) and error "
-          "(standard, of the logarithm of light)");
 }
 
 }  // namespace
 
 void add_fit(py::module_& package) {
   using namespace py::literals;
-  add_estimate(package);
-  add_photographs(package);
-  add_nights(package);
-  py::class_<FitReport> report(package, "Fit", "The air that explains what was measured.");
-  for (const auto unknowns : {uses::Unknowns::factors, uses::Unknowns::amounts})
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto& unknown = uses::unknowns_of(unknowns)[i];
-      report.def_property_readonly(
-          attribute_of(unknown.parameter).c_str(),
-          [=](const FitReport& found) { return found_of(found, unknowns, i); },
-          fmt::format("{} found{}; None where it was not looked for", unknown.title,
-                      unknown.unit.empty() ? "" : fmt::format(" [{}]", unknown.unit))
-              .c_str());
-    }
-  report
-      .def_property_readonly("correlation", correlation_of,
-                             "of aerosol, cloud and ozone, logarithms where an unknown is a factor "
-                             "or dust, shape (3, 3)")
-      .def_property_readonly(
-          "chi_squared",
-          [](const FitReport& found) { return found.fit.posterior.least_chi_squared; },
-          "sum of squared differences over the errors, of the best air")
-      .def_property_readonly(
-          "numbers", [](const FitReport& found) { return found.fit.measurements; },
-          "how many numbers were compared")
-      .def_property_readonly(
-          "explained", [](const FitReport& found) { return uses::explains(found.fit); },
-          "whether that air explains them; if not, the estimates mean little")
-      .def_readonly("photographs", &FitReport::photographs, "how each photograph was read")
-      .def_readonly("nights", &FitReport::nights, "what was found of the camera of each night");
+  PYBIND11_NUMPY_DTYPE(uses::MeasuredLight, distance_km, channel, light, model, error);
+  add_photograph(package);
+  add_result<uses::Estimate>(package);
+  add_result<uses::ClippedAt>(package);
+  add_result<uses::ReadPhotograph>(package);
+  add_result<uses::ClockError>(package);
+  add_result<uses::Misfit>(package);
+  add_result<FittedNight>(package).def_property_readonly(
+      "light", [](const Told<FittedNight>& night) { return night.values["light"]; },
+      "light over full sunlight, in steps of 100 km: a structured array of distance_km from "
+      "the shadow's axis, channel (0 red), light, model (of the air that was found) and error "
+      "(standard, of the logarithm of light)");
+  add_result<uses::Suspicion>(package);
+  add_result<FitReport>(package);
   TextureKeywords keywords{.moon = {}};
   const auto parameters = fit_keywords(keywords);
   const auto doc = fmt::format(

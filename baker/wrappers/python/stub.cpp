@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "eclipse/contacts.h"
+#include "uses/fit/fit_results.h"
 #include "uses/light/shadow_profile.h"
 #include "uses/picture/brightness.h"
 #include "wrappers/python/described.h"
@@ -67,6 +67,14 @@ std::map<std::string, std::string> all_parts() {
           {"    @Moonlight@", properties<LitSphere>()},
           {"    @Brightness@", properties<uses::MoonBrightness>()},
           {"    @BrightnessSeen@", properties<uses::BrightnessSeen>()},
+          {"    @Estimate@", properties<uses::Estimate>()},
+          {"    @ClippedAt@", properties<uses::ClippedAt>()},
+          {"    @PhotographRead@", properties<uses::ReadPhotograph>()},
+          {"    @Clock@", properties<uses::ClockError>()},
+          {"    @Misfit@", properties<uses::Misfit>()},
+          {"    @Night@", properties<uses::FittedNight>()},
+          {"    @Suspicion@", properties<uses::Suspicion>()},
+          {"    @Fit@", properties<uses::FitReport>()},
           {"    @bake@", keywords(bake_keywords(texture), indent)},
           {"    @brightness@", keywords(brightness_keywords(brightness), indent)},
           {"    @dome@", keywords(dome_keywords(dome), indent)},

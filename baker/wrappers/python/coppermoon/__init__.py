@@ -12,13 +12,15 @@ wavelengths are in nanometres. Arrays are NumPy's. Long computations let other t
 >>> eclipse.type
 'total'
 """
-from ._coppermoon import (Air, Brightness, BrightnessSeen, Dome, Eclipse, Error, Estimate, Fit, Light, Moonlight, Night,
-                          Photograph, PhotographRead, Region, ShadowProfile, Sky, Texture, __version__, bake, brightness, dome,
-                          eclipses, fit, light_curve, moonlight, nearest_eclipse, shadow_profile, sky)
+from ._coppermoon import (Air, Brightness, BrightnessSeen, ClippedAt, Clock, Dome, Eclipse, Error, Estimate, Fit, Light,
+                          Misfit, Moonlight, Night, Photograph, PhotographRead, Region, ShadowProfile, Sky, Suspicion,
+                          Texture, __version__, bake, brightness, dome, eclipses, fit, light_curve, moonlight,
+                          nearest_eclipse, shadow_profile, sky)
 
-__all__ = ["Air", "Brightness", "BrightnessSeen", "Dome", "Eclipse", "Error", "Estimate", "Fit", "Light", "Moonlight", "Night",
-           "Photograph", "PhotographRead", "Region", "ShadowProfile", "Sky", "Texture", "__version__", "bake", "brightness",
-           "dome", "eclipses", "fit", "light_curve", "moonlight", "nearest_eclipse", "shadow_profile", "sky"]
+__all__ = ["Air", "Brightness", "BrightnessSeen", "ClippedAt", "Clock", "Dome", "Eclipse", "Error", "Estimate", "Fit",
+           "Light", "Misfit", "Moonlight", "Night", "Photograph", "PhotographRead", "Region", "ShadowProfile", "Sky",
+           "Suspicion", "Texture", "__version__", "bake", "brightness", "dome", "eclipses", "fit", "light_curve",
+           "moonlight", "nearest_eclipse", "shadow_profile", "sky"]
 
 for _name in __all__:
     if isinstance(globals()[_name], type):

@@ -38,7 +38,7 @@ FittedLight light_of_the_shadow(const std::optional<AirRange>& range = {}) {
 
 /// Air found where X, Y and Z of all places are those of some light, with a relative error.
 AirFit fitted_to(const FittedLight& light, const algebra::Grid<double>& truth, double error) {
-  const DataSet data{&light,
+  const DataSet data{light,
                      [&](const algebra::Grid<double>& found) {
                        double sum = 0;
                        for (std::size_t i = 0; i < truth.values().size(); ++i)

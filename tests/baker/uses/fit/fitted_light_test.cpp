@@ -10,7 +10,7 @@
 #include "almanac/instant.h"
 #include "colour/working_space.h"
 #include "support/within.h"
-#include "uses/fit/scene.h"
+#include "uses/fit/lit_bins.h"
 #include "uses/light/spectral_bands.h"
 
 namespace coppermoon::uses {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -60,6 +61,22 @@ TEST(LimbWeather, ChangesLightAsMuchAsCloudDoes) {
   EXPECT_DOUBLE_EQ(weather_over_usual(0.3), 1);
   EXPECT_DOUBLE_EQ(weather_over_usual(0.6), 2);
   EXPECT_DOUBLE_EQ(weather_over_usual(0), 0.5);
+}
+
+TEST(LimbWeather, ChangesFromHourToHourAndIsAsLargeAtEach) {
+  const std::array seconds{0., 3600., 7200., 1800.};
+  const auto weights = weather_changes(seconds);
+  ASSERT_EQ(weights.columns(), 3);
+  const auto product_of = [&](std::size_t a, std::size_t b) {
+    const auto one = weights.row(a), other = weights.row(b);
+    return std::inner_product(one.begin(), one.end(), other.begin(), 0.);
+  };
+  for (std::size_t hour = 0; hour < 3; ++hour)
+    EXPECT_WITHIN(product_of(hour, hour), 1, 1e-12, "rounding");
+  EXPECT_WITHIN(product_of(0, 1), 0.8, 1e-12, "rounding");
+  EXPECT_WITHIN(product_of(0, 2), 0.64, 1e-12, "rounding");
+  EXPECT_LT(product_of(3, 3), 1) << "a mean of two hours";
+  EXPECT_EQ(weather_changes(std::array{0., 600.}).columns(), 1) << "within a quarter of an hour";
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "almanac/instant.h"
 #include "support/luther_camera.h"
 #include "support/within.h"
+#include "uses/fit/lit_bins.h"
 
 namespace coppermoon::uses {
 namespace {

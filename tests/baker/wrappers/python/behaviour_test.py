@@ -433,9 +433,10 @@ class FitsThoroughly(unittest.TestCase):
         found = coppermoon.fit([(when, "B", 2.55), (when, "V", -0.47), (when, "R", -3.20)],
                                air=coppermoon.Air(atmosphere="undated"), albedo_map="built-in")
         self.assertTrue(found.explained)
-        self.assertTrue(found.dust_extinction.low < 3e-6 < found.dust_extinction.high)
-        self.assertTrue(found.cloud_cover.low < 0.5 < found.cloud_cover.high)
-        numpy.testing.assert_allclose(found.correlation, found.correlation.T)
+        self.assertTrue(found.dust_extinction_per_m.low_68 < 3e-6 < found.dust_extinction_per_m.high_68)
+        self.assertTrue(found.cloud_cover.low_68 < 0.5 < found.cloud_cover.high_68)
+        self.assertTrue(-1 < found.correlation["aerosol_cloud"] < 0, "dust hides behind cloud")
+        self.assertEqual(pickle.loads(pickle.dumps(found)), found)
 
     def test_the_air_of_a_photograph_is_found_as_by_the_command(self):
         moment = "2018-07-27T20:40:00Z"
@@ -448,11 +449,12 @@ class FitsThoroughly(unittest.TestCase):
             found = coppermoon.fit(photographs=[coppermoon.Photograph(file, moment, coding="srgb")], at=(-33.9, 18.4),
                                    air=coppermoon.Air(atmosphere="undated"), albedo_map="built-in", progress=parts.append)
         self.assertEqual(found.cloud_cover.median, told["cloud_cover"]["median"])
-        self.assertEqual(found.dust_extinction.low, told["dust_extinction_per_m"]["low_68"])
+        self.assertEqual(found.dust_extinction_per_m.low_68, told["dust_extinction_per_m"]["low_68"])
         self.assertEqual(found.photographs[0].numbers, told["photographs"][0]["numbers"])
-        self.assertEqual((found.photographs[0].left_out, found.photographs[0].mirrored), ("", False))
+        self.assertEqual((found.photographs[0].left_out, found.photographs[0].mirrored), (None, False))
         night, = found.nights
-        self.assertEqual((night.photographs, night.clock, night.tone_curve), ([0], None, None))
+        self.assertEqual((night.photographs, night.clock, night.tone_curve), ([file], None, None))
+        self.assertEqual(pickle.loads(pickle.dumps(found)), found)
         self.assertEqual(set(night.light["channel"]), {0, 1, 2})
         for channel in range(3):
             distances = night.light["distance_km"][night.light["channel"] == channel]

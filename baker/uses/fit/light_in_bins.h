@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "algebra/grid.h"
+#include "algebra/progress.h"
+#include "almanac/sky.h"
+#include "eclipse/shadow_axis.h"
+#include "uses/fit/unknowns.h"
+#include "uses/light/moonlight.h"
+
+namespace coppermoon::uses {
+
+/// A place of an eclipsed Moon, its sunlit light, and its bin.
+struct LitPlace {
+  eclipse::ShadowPlace place;
+  double sunlit;  ///< light without the shadow, in any unit
+  std::size_t bin;
+  double colour = 0;  ///< c of the ground, as surface::Ground has it
+};
+
+/// Bins of the Moon's ground at one moment, as one observer sees them.
+struct LitBins {
+  /// (channel, band): of the moonlight of mean ground as seen, 0 or more, as those of XYZ
+  algebra::Grid<double> weights;
+  std::vector<LitPlace> places;  ///< in bins 0 to bins − 1
+  std::size_t bins = 0;
+};
+
+/// Light in bins of a Moon on its way through the shadow, computed in some air. Light in the shadow is computed once
+/// for all moments. Between different air above the observer its logarithm is interpolated by a polynomial through up
+/// to four.
+///
+/// Given     request    air but for the unknowns, limb darkening; the rest is ignored
+///           skies      of one eclipse, in order of time: those of all parts, one or more
+///           parts      of equal numbers of channels
+///           numbers    of each air
+///           scattered  whether with light that the air scatters
+/// Returned  [air](bin, channel): logarithm of light over sunlit light, bins of all parts in their order
+std::vector<algebra::Grid<double>> light_in_bins(const LightRequest& request, Unknowns unknowns,
+                                                 std::span<const almanac::SkyState> skies,
+                                                 std::span<const LitBins> parts,
+                                                 std::span<const AirNumbers> numbers,
+                                                 bool scattered,
+                                                 const algebra::Progress& progress = {});
+
+}  // namespace coppermoon::uses

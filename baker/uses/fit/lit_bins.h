@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "uses/fit/light_in_bins.h"
+#include "uses/fit/scene.h"
+
+namespace coppermoon::uses {
+
+/// Bins of a scene at another moment: the same ground, elsewhere in the shadow. A few places stand for all ground of
+/// a bin.
+LitBins lit_bins(const FitScene& scene, const almanac::SkyState& sky);
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+#include "uses/fit/nuisance_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "uses/fit/limb_weather.h"
+
+namespace coppermoon::uses {
+namespace {
+
+/// Prior standard deviation (log units) of a nuisance about which nothing is known.
+constexpr double unknown_deviation = 10;
+
+/// Mean y of two values with ln(a/b) = (a − b)/y.
+double logarithmic_mean(double a, double b) {
+  const double ratio = a / b - 1;
+  return std::abs(ratio) < 1e-4 ? std::sqrt(a * b) : b * ratio / std::log1p(ratio);
+}
+
+std::array<double, 3> mixed(const std::array<double, 3>& light, const Mixing& mixing) {
+  std::array<double, 3> written;
+  for (std::size_t k = 0; k < 3; ++k)
+    written[k] = std::inner_product(light.begin(), light.end(), mixing[k].begin(), 0.);
+  return written;
+}
+
+/// Derivative of the logarithm of light by distance from the axis [1/km], from the neighbouring bins.
+double logarithmic_slope(const Binned& photograph, std::size_t b, std::size_t k) {
+  const auto& scene = *photograph.scene;
+  const auto& values = photograph.light.values;
+  const auto known = [&](std::size_t bin) { return bin < scene.bins && values(bin, k) > 0; };
+  const auto from = b > 0 && known(b - 1) ? b - 1 : b, to = known(b + 1) ? b + 1 : b;
+  if (from == to) return 0;
+  return std::log(values(to, k) / values(from, k)) /
+         (scene.distances_km[to] - scene.distances_km[from]);
+}
+
+/// Growth of a measurement's logarithm with light that the camera adds from each channel, as bright as that is
+/// expected.
+std::array<double, 3> growth_by_mixing(const Binned& photograph, const NightErrors& night,
+                                       const NightRows& rows, const Measurement& measurement) {
+  const auto& [p, b, k, logarithm, error, of_computation] = measurement;
+  auto light = night.expected.empty() ? std::array<double, 3>{}
+                                      : rec709_of(night.expected.row(rows.own(p, b)));
+  if (night.expected.empty()) std::ranges::copy(photograph.scene->usual_values.row(b), &light[0]);
+  const auto written = mixed(light, night.mixing);
+  const auto brightest =
+      static_cast<std::size_t>(std::ranges::max_element(written) - written.begin());
+  const auto seen = photograph.light.values.row(b);
+  // the photograph's own light, as bright as expected in its brightest channel
+  const double as_bright =
+      seen[brightest] > 0 ? seen[k] / seen[brightest] * written[brightest] : written[k];
+  const double least = least_of_brightest * written[brightest];
+  const double mean = logarithmic_mean(std::max(as_bright, least), std::max(written[k], least));
+  for (double& value : light) value /= mean;
+  return light;
+}
+
+/// Growth of the logarithm of light with less cloud, (photograph × bins + bin, channel), over its mean of red in the
+/// umbra; where cloud is a chance, times weather_over_usual. Empty where it is not known.
+algebra::Grid<double> dimming_by_cloud(std::span<const Binned> photographs,
+                                       const NightErrors& night, const NightRows& rows) {
+  constexpr double least_distance_km = 1000, most_distance_km = 4000;
+  if (night.clouded.empty()) return {};
+  const double least = is_mixed(photographs) ? least_of_brightest : 0;
+  algebra::Grid<double> all(photographs.size() * rows.bins, 3);
+  double red = 0, count = 0;
+  for (std::size_t p = 0; p < photographs.size(); ++p)
+    for (std::size_t b = 0; b < rows.bins; ++b) {
+      const auto row = all.row(p * rows.bins + b);
+      const auto before = as_written(night.expected.row(rows.own(p, b)), night.mixing, least),
+                 after = as_written(night.clouded.row(rows.own(p, b)), night.mixing, least);
+      for (std::size_t k = 0; k < 3; ++k) row[k] = std::log(before[k] / after[k]);
+      const double distance_km = photographs[p].scene->distances_km[b];
+      if (distance_km < least_distance_km || distance_km > most_distance_km) continue;
+      red += row[0];
+      ++count;
+    }
+  if (count == 0 || red <= 0) return {};
+  const double mean = red / count,
+               weather = night.clouded_by > 0 ? weather_over_usual(mean / night.clouded_by) : 1;
+  for (double& value : all.values()) value *= weather / mean;
+  return all;
+}
+
+/// Nuisances of weather: one for each part of the limb, change in time, and kind of weather.
+Nuisance weather_of(std::span<const Binned> photographs, const NightErrors& night,
+                    const NightRows& rows) {
+  const bool any = std::ranges::any_of(
+      photographs, [](const Binned& one) { return one.errors.weather_error > 0; });
+  if (!any) return {"weather", SharedBy::night, 0, {}, {}};
+  std::vector<double> seconds;
+  for (const auto& one : photographs)
+    seconds.push_back(
+        almanac::seconds_between(photographs.front().scene->sky.when, one.scene->sky.when));
+  const auto changes = weather_changes(seconds);
+  std::vector<algebra::Grid<double>> limbs;
+  for (const auto& one : photographs) limbs.push_back(limb_of_bins(*one.scene));
+  const auto dimming = dimming_by_cloud(photographs, night, rows);
+  const std::size_t kinds = dimming.empty() ? weather_kinds : weather_kinds_beside_cloud;
+  return {"weather", SharedBy::night, changes.columns() * kinds * weather_sectors,
+          [=](const Measurement& m) { return photographs[m.photograph].errors.weather_error; },
+          [=](const Measurement& m, std::size_t parameter) {
+            const auto kind = parameter / weather_sectors % kinds;
+            const double of_kind =
+                dimming.empty() || kind == weather_of_blue
+                    ? light_by_weather(kind, m.channel,
+                                       photographs[m.photograph].scene->distances_km[m.bin])
+                    : dimming(m.photograph * rows.bins + m.bin, m.channel);
+            return limbs[m.photograph](m.bin, parameter % weather_sectors) * of_kind *
+                   changes(m.photograph, parameter / weather_sectors / kinds);
+          }};
+}
+
+}  // namespace
+
+std::vector<double> clock_steps_s(double clock_error_s) {
+  constexpr double step_s = 60;
+  return clock_error_s > 0 ? std::vector<double>{-step_s, 0, step_s} : std::vector<double>{0};
+}
+
+NightRows rows_of(std::span<const Binned> photographs, const NightErrors& night) {
+  return {clock_steps_s(night.clock_error_s).size(),
+          photographs.empty() ? 0 : photographs.front().scene->bins};
+}
+
+bool is_mixed(std::span<const Binned> photographs) {
+  return std::ranges::any_of(photographs,
+                             [](const Binned& one) { return one.errors.mixing_error > 0; });
+}
+
+std::array<double, 3> as_written(std::span<const double> xyz, const Mixing& mixing, double least) {
+  const auto rgb = rec709_of(xyz);
+  auto written = mixed(rgb, mixing);
+  const double dark = std::max(1e-12, least * *std::ranges::max_element(rgb));
+  for (double& value : written) value = std::max(value, dark);
+  return written;
+}
+
+std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const NightErrors& known) {
+  constexpr auto night = SharedBy::night, each = SharedBy::photograph;
+  constexpr double white_balance_drift = 0.003;
+  const auto rows = rows_of(photographs, known);
+  const auto of = [=](const Measurement& m) -> const Binned& { return photographs[m.photograph]; };
+  const auto errors = [=](const Measurement& m) -> const PhotometricErrors& {
+    return of(m).errors;
+  };
+  const auto scaled = [=](const Measurement& m) { return errors(m).value_per_cd_m2.has_value(); };
+  const auto fixed = [=](const Measurement& m) { return errors(m).white_balance_fixed; };
+  const auto alike = [](const Measurement&, std::size_t) { return 1.; };
+  const auto red_or_blue = [](const Measurement& m, std::size_t n) {
+    return m.channel == 2 * n ? 1. : 0.;
+  };
+  const auto over_light = [=](const Measurement& m) {
+    return 1 / of(m).light.values(m.bin, m.channel);
+  };
+  const auto growth = [=, &known](const Measurement& m) {
+    return growth_by_mixing(of(m), known, rows, m);
+  };
+  const bool curved =
+      std::ranges::any_of(photographs, [](const Binned& one) { return !one.light.slopes.empty(); });
+  const std::size_t cameras =
+      photographs.empty() ? 0 : photographs.front().scene->by_filters.size();
+  const bool any_mixed = is_mixed(photographs);
+  return {
+      {"exposure", night, 1,
+       [=](const Measurement& m) { return scaled(m) ? errors(m).exposure_error : 0; }, alike},
+      {"white balance", night, 2,
+       [=](const Measurement& m) { return fixed(m) ? errors(m).white_balance_error : 0; },
+       red_or_blue},
+      {"tone curve", night, curved ? colour::tone_numbers : 0,
+       [=](const Measurement& m) { return of(m).light.slopes.empty() ? 0. : 1.; },
+       [=](const Measurement& m, std::size_t n) {
+         return of(m).light.slopes(m.bin, m.channel)[n];
+       }},
+      {"saturation", night, any_mixed ? 1UL : 0,
+       [=](const Measurement& m) { return errors(m).saturation_error; },
+       [=](const Measurement& m, std::size_t) {
+         const auto by = growth(m);
+         return by[m.channel] -
+                std::inner_product(by.begin(), by.end(), luminance_of_rec709.begin(), 0.);
+       }},
+      // elements of the matrix off its diagonal, row by row
+      {"mixing", night, any_mixed ? 6UL : 0,
+       [=](const Measurement& m) { return errors(m).mixing_error; },
+       [=](const Measurement& m, std::size_t n) {
+         return n / 2 == m.channel ? growth(m)[(n % 2) + (n % 2 >= m.channel)] : 0;
+       }},
+      // the covariance of these is that of the cameras about the one assumed
+      {"filters", night, cameras,
+       [=](const Measurement&) { return 1 / std::sqrt(static_cast<double>(cameras)); },
+       [=](const Measurement& m, std::size_t n) {
+         return of(m).scene->by_filters[n](m.bin, m.channel);
+       }},
+      weather_of(photographs, known, rows),
+      {"shutter", each, 1,
+       [=](const Measurement& m) {
+         return scaled(m) ? errors(m).shutter_error : unknown_deviation;
+       },
+       alike},
+      {"own white balance", each, 2,
+       [=](const Measurement& m) {
+         return fixed(m) ? white_balance_drift : errors(m).white_balance_error;
+       },
+       red_or_blue},
+      {"sky", each, 3,
+       [=](const Measurement& m) { return of(m).light.sky_errors(m.bin, m.channel); },
+       [=](const Measurement& m, std::size_t n) { return n == m.channel ? over_light(m) : 0; }},
+      {"place", each, 1, [=](const Measurement& m) { return errors(m).place_error_km; },
+       [=](const Measurement& m, std::size_t) {
+         return logarithmic_slope(of(m), m.bin, m.channel);
+       }},
+      {"glow", each, 1,
+       [=](const Measurement& m) { return of(m).light.glow_errors(m.bin, m.channel); },
+       [=](const Measurement& m, std::size_t) { return over_light(m); }},
+  };
+}
+
+Design design_of(std::span<const Nuisance> table, std::span<const Measurement> measurements,
+                 std::size_t photographs) {
+  Design design;
+  std::size_t columns = 0;
+  for (const auto& nuisance : table) {
+    const bool own = nuisance.shared_by == SharedBy::photograph;
+    if (!own) design.first_own = columns + nuisance.count;
+    design.first[nuisance.name] = columns;
+    columns += own ? nuisance.count * photographs : nuisance.count;
+  }
+  design.matrix = {measurements.size(), columns};
+  for (const auto& nuisance : table)
+    for (std::size_t i = 0; nuisance.count > 0 && i < measurements.size(); ++i) {
+      const auto& measurement = measurements[i];
+      const double prior = nuisance.prior(measurement);
+      if (prior == 0) continue;
+      const auto first =
+          design.first.at(nuisance.name) + (nuisance.shared_by == SharedBy::photograph
+                                                ? measurement.photograph * nuisance.count
+                                                : 0);
+      for (std::size_t n = 0; n < nuisance.count; ++n)
+        design.matrix(i, first + n) = prior * nuisance.derivative(measurement, n);
+    }
+  return design;
+}
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "uses/fit/reading.h"
+
+#include "colour/camera.h"
+#include "colour/exposure.h"
+
+namespace coppermoon::uses {
+namespace {
+
+/// Exposure by the request, else by the header; nothing unless complete. Where a common factor is free an unknown
+/// f-number may be any constant, and so may the ISO speed of a camera that has a gain in its place.
+std::optional<colour::Exposure> exposure_of(const EclipsePhotograph& photograph,
+                                            const CameraSettings& header, bool free) {
+  const auto time_s = photograph.time_s ? photograph.time_s : header.time_s;
+  auto iso = photograph.iso ? photograph.iso : header.iso,
+       f_number = photograph.f_number ? photograph.f_number : header.f_number;
+  if (free && !f_number) f_number = 8;
+  if (free && !iso && header.gain) iso = 100;
+  if (!time_s || !iso || !f_number) return std::nullopt;
+  return colour::Exposure{*time_s, *f_number, *iso};
+}
+
+PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& photograph,
+                            const Reading& reading) {
+  constexpr double of_automatic_white_balance = 0.3, of_known_colours = 0.03;
+  constexpr double of_exposures = 0.1, free = 10;
+  const bool curved = reading.curved, raw = texture::is_raw_file(photograph.file);
+  const auto header = settings_of(photograph.file);
+  // a sensor's counts, and a gain in place of the ISO speed, tell light but for a common factor
+  const bool relative = reading.clipped_at || (header.gain && !photograph.iso && !header.iso);
+  PhotometricErrors errors{
+      .exposure_error = request.exposure_error.value_or(curved || relative ? free : of_exposures),
+      .shutter_error = request.shutter_error,
+      .white_balance_error = request.white_balance_error.value_or(
+          curved ? of_automatic_white_balance : of_known_colours),
+      .white_balance_fixed = white_balance_is_fixed(photograph.file),
+      .weather_error = request.weather_error.value_or(curved || raw ? 0.1 : 0)};
+  // of cameras' matrices some per cent; that of a raw file is known with its filters
+  if (curved || (raw && !request.moon.response)) errors.mixing_error = 0.03;
+  if (curved) errors.saturation_error = 0.2;  // styles of JPEG saturate colours by 0.8 to 1.3
+  if (const auto exposure = exposure_of(photograph, header, errors.exposure_error >= free))
+    errors.value_per_cd_m2 =
+        (request.camera.empty()
+             ? colour::exposure_scale(*exposure)
+             : 1 / colour::saturation_cd_m2(colour::camera_named(request.camera), *exposure)) /
+        (reading.clipped_at ? reading.clipped_at->light : 1);
+  return errors;
+}
+
+}  // namespace
+
+Reading reading_of(const FitRequest& request, const EclipsePhotograph& photograph) {
+  Reading reading;
+  try {
+    reading.curved = coding_of(photograph.file, photograph.coding) == texture::Coding::camera;
+    auto photo = photo_light(photograph.file, photograph.coding, request.moon.response);
+    reading.extent = {photo.width, photo.height};
+    reading.clipped_at = clipped_at(photograph.file, photo);
+    if (reading.clipped_at)
+      for (float& value : photo.values) value /= static_cast<float>(reading.clipped_at->light);
+    reading.moon = moon_part(photo);
+    reading.errors = errors_of(request, photograph, reading);
+  } catch (const algebra::Error& error) {
+    reading.left_out = reason_without_name(photograph.file, error);
+  }
+  return reading;
+}
+
+}  // namespace coppermoon::uses
