@@ -1,29 +1,25 @@
 // SPDX-License-Identifier: MIT
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <malloc.h>
-#include <tbb/global_control.h>
-#include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <memory>
 #include <new>
 #include <string_view>
 #include <system_error>
 
+#include "files/environment.h"
+#include "files/loaded_library.h"
+#include "files/memory.h"
+#include "files/standard_streams.h"
 #include "verbs/command_line.h"
-#include "verbs/flags/help.h"
-#include "verbs/flags/plain_error.h"
 #include "verbs/reports/one_line.h"
 
 namespace {
 
+namespace files = coppermoon::files;
 namespace verbs = coppermoon::verbs;
 
 constexpr int could_not = 1, wrong_usage = 2;
@@ -33,31 +29,9 @@ void say(std::string_view error) {
   std::fputs(fmt::format("coppermoon: {}\n", verbs::one_line(error)).c_str(), stderr);
 }
 
-/// Opens closed standard descriptors on /dev/null, so that no file opened later takes their numbers and is written into.
-/// The direction is the wrong one, so that reading or printing fails as it does on a closed one.
-void hold_standard_descriptors() {
-  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if (::fcntl(descriptor, F_GETFD) < 0)
-      ::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
-}
-
-/// Standard error that never fails: who does not hear what is said beside the results loses nothing else.
-void speak_to_whoever_hears() {
-  cookie_io_functions_t voice{};
-  voice.write = [](void*, const char* words, std::size_t size) -> ssize_t {
-    const auto heard = ::write(STDERR_FILENO, words, size);
-    return heard > 0 ? heard : static_cast<ssize_t>(size);
-  };
-  FILE* const error = ::fopencookie(nullptr, "w", voice);
-  if (error == nullptr) return;
-  std::setvbuf(error, nullptr, _IONBF, 0);
-  stderr = error;
-}
-
 /// What a thread that cannot begin, or a library's promise not to throw, make of too little memory.
 [[noreturn]] void end_at_once() {
-  constexpr std::string_view why = "coppermoon: not enough memory\n";
-  [[maybe_unused]] const auto said = ::write(STDERR_FILENO, why.data(), why.size());
+  files::say_at_once("coppermoon: not enough memory\n");
   std::_Exit(could_not);
 }
 
@@ -65,33 +39,20 @@ void speak_to_whoever_hears() {
 void find_time_zones() {
   std::error_code failed;
   if (std::filesystem::exists("/usr/share/zoneinfo", failed)) return;
-  const auto own =
-      std::filesystem::read_symlink("/proc/self/exe", failed).parent_path() / "../share/zoneinfo";
-  if (std::filesystem::exists(own, failed)) ::setenv("TZDIR", own.c_str(), 0);
+  const auto own = files::own_program().parent_path() / "../share/zoneinfo";
+  if (std::filesystem::exists(own, failed)) files::set_missing_variable("TZDIR", own.string());
 }
 
-/// Memory that was freed is used again, not given back: pages of the system cost a tenth of a texture's time.
-void keep_freed_memory() {
-  constexpr int largest_kept = 1 << 30;
-  ::mallopt(M_MMAP_THRESHOLD, largest_kept);
-  ::mallopt(M_TRIM_THRESHOLD, largest_kept);
-}
-
-int run(CLI::App& program, int count, char** words) {
+int run(int count, char** words) {
   try {
-    verbs::run(program, {words + std::min(count, 1), words + count});
+    verbs::Program program;
+    add_verbs(program);
+    const auto [verb, text] = asked_by(program, {words + std::min(count, 1), words + count});
+    if (text.empty())
+      run(*verb);
+    else
+      fmt::print("{}", text);
     return 0;
-  } catch (const CLI::CallForHelp&) {
-    fmt::print("{}", verbs::help_called_for(program, false));
-    return 0;
-  } catch (const CLI::CallForAllHelp&) {
-    fmt::print("{}", verbs::help_called_for(program, true));
-    return 0;
-  } catch (const CLI::CallForVersion& call) {
-    return program.exit(call);
-  } catch (const CLI::ParseError& error) {
-    say(verbs::plain_error(error.what()));
-    return wrong_usage;
   } catch (const verbs::WrongUsage& error) {
     say(error.what());
     return wrong_usage;
@@ -107,19 +68,13 @@ int run(CLI::App& program, int count, char** words) {
 }  // namespace
 
 int main(int count, char** words) {
-  keep_freed_memory();
-  hold_standard_descriptors();
-  speak_to_whoever_hears();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error like any other, said in one line
+  files::keep_freed_memory();
+  files::prepare_standard_streams();
   std::set_terminate(end_at_once);
   // OpenImageIO brings OpenBLAS along, whose threads nobody needs: where memory is short they never end
-  ::setenv("OPENBLAS_NUM_THREADS", "1", 0);
+  files::set_missing_variable("OPENBLAS_NUM_THREADS", "1");
   find_time_zones();
-  CLI::App program{"coppermoon bakes eclipsed Moons", "coppermoon"};
-  std::unique_ptr<tbb::global_control> threads;
-  verbs::add_words(program);
-  verbs::add_threads(program, threads);
-  const int status = run(program, count, words);
+  const int status = run(count, words);
   const bool all_written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (all_written || status != 0) return status;
   say("standard output: cannot be written");

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
-#include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
 #include <numbers>
@@ -122,7 +121,7 @@ std::optional<glm::dvec2> pixel_of(const SceneCamera& camera,
   const double depth = glm::dot(seen, forward);
   if (depth <= 0) return std::nullopt;
   const double scale = half_width / std::tan(0.5 * in_radians(camera.horizontal_field)) / depth;
-  const double x = scale * glm::dot(seen, right) * (camera.mirrored ? -1 : 1);
+  const double x = scale * glm::dot(seen, right);
   // FAULT pictures upside down: half_height - scale => half_height + scale
   return glm::dvec2(half_width + x, half_height - scale * glm::dot(seen, upward));
 }
@@ -142,6 +141,31 @@ void require_sound(const SceneCamera& camera) {
       std::atan2(glm::length(glm::cross(sight, camera.up)), std::abs(glm::dot(sight, camera.up)));
   require_within("angle between up and the line of sight [radians]", off_sight, 1e-6,
                  std::numbers::pi / 2);
+}
+
+Sight sight_of(const SceneCamera& camera) {
+  const auto flattened = flattened_by_air(camera);
+  const glm::dvec3 forward = line_of_sight(camera);
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
+  const double half_width = 0.5 * static_cast<double>(camera.width);
+  const double pixel = std::tan(0.5 * in_radians(camera.horizontal_field)) / half_width;
+  const glm::dvec3 across = pixel * right, down = -pixel * glm::cross(right, forward);
+  return {camera.position,
+          forward - half_width * across - 0.5 * static_cast<double>(camera.height) * down, across,
+          down, glm::inverse(flattened)};
+}
+
+std::optional<glm::dvec3> ground_at(const Sight& sight, const glm::dvec2& pixel) {
+  const glm::dvec3 ray =
+      sight.round_from_flattened *
+      glm::normalize(sight.corner + pixel.x * sight.across + pixel.y * sight.down);
+  const glm::dvec3 from = sight.round_from_flattened * sight.position;
+  // First the nearest place along the ray: seen from afar, the distance of the ground is a difference of large numbers.
+  const double squared = glm::dot(ray, ray), away = -glm::dot(from, ray) / squared;
+  const glm::dvec3 nearest = from + away * ray;
+  const double inside = 1 - glm::dot(nearest, nearest);
+  if (inside < 0 || away < 0) return std::nullopt;
+  return nearest - std::sqrt(inside / squared) * ray;
 }
 
 }  // namespace coppermoon::povray_scenes

@@ -26,7 +26,6 @@ struct SceneCamera {
   glm::dvec3 up;                    ///< Moon-fixed, any length; not along the line of sight
   algebra::Angle horizontal_field;  ///< angle across the picture
   std::size_t width, height;        ///< in pixels
-  bool mirrored = false;            ///< left and right exchanged, as behind one flat mirror
   double flattening = 1;            ///< of the disc by refraction: height over width
   glm::dvec3 zenith{0, 0, 0};       ///< Moon-fixed, any length: direction of flattening; 0: none
   glm::dvec3 direction{0, 0, 0};    ///< Moon-fixed, any length: of the picture's middle; 0: the
@@ -52,7 +51,7 @@ struct HorizonPlace {
 /// Throws  Error  when either is not above 0
 algebra::Angle field_of_view(algebra::Length focal_length, algebra::Length sensor_width);
 
-/// Camera at a place on Earth, directed to the Moon; east is to the left when north is up (not mirrored).
+/// Camera at a place on Earth, directed to the Moon; east is to the left when north is up.
 ///
 /// Given   sky, view  the moment, and that place's view of it
 /// Omits   refraction in the observer's air, which lifts the Moon and flattens it near the horizon: the caller sets
@@ -69,8 +68,7 @@ SceneCamera camera_at(const almanac::SkyState& sky, Up up, const Picture& pictur
 /// Camera on a tripod, the zenith up: the Moon moves through its picture as through the sky.
 ///
 /// Given   sky, view  the moment, and that place's view of it
-///         aim        apparent place in the picture's middle; altitude -90 to 90 degrees,
-///                    azimuth -360 to 360
+///         aim        apparent place in the picture's middle; altitude -90 to 90 degrees, azimuth -360 to 360
 /// Returned  at the observer's place; aim and zenith are turned down along the Moon's vertical by the Moon's
 ///           refraction, so that the Moon appears at its apparent place
 /// Omits   the horizon: a Moon below it is shown none the less; flattening, as camera_at
@@ -89,17 +87,15 @@ glm::dvec3 line_of_sight(const SceneCamera& camera);
 ///     I + (k − 1) v vᵀ        k: the flattening;  v: towards the zenith, across the line from the
 ///                             camera to the Moon's centre
 ///
-/// Returned  Moon-fixed axes; nothing is moved along that line. The identity where the zenith is
-///           along it, or nowhere
+/// Returned  Moon-fixed axes; nothing is moved along that line. The identity where the zenith is along it, or nowhere
 /// Throws    Error  when the camera is not sound
 glm::dmat3 flattened_by_air(const SceneCamera& camera);
 
 /// Pixel of a place on the Moon (a sphere, flattened by refraction).
 ///
 /// Given     place     of any longitude, also beyond 360 degrees
-/// Returned  x to the right, y down, in pixels from the upper left corner: the first pixel's
-///           centre is (0.5, 0.5); also outside the frame. Nothing for a place behind the limb or
-///           behind the camera
+/// Returned  x to the right, y down, in pixels from the upper left corner: the first pixel's centre is (0.5, 0.5); also
+///           outside the frame. Nothing for a place behind the limb or behind the camera
 /// Accuracy  0.25 pixel against POV-Ray's own frames, fields of 0.02 to 120 degrees
 /// Throws    Error  when the camera is not sound
 std::optional<glm::dvec2> pixel_of(const SceneCamera& camera,
@@ -107,10 +103,24 @@ std::optional<glm::dvec2> pixel_of(const SceneCamera& camera,
 
 /// Refuses a camera outside its ranges.
 ///
-/// Throws  Error  unless the camera stands outside the Moon and within 1e6 lunar radii, its field
-///                is 1e-8 to 179.9 degrees, its sides 1 to 65535 pixels, its flattening 0.8 to 1,
-///                its direction 0 or 1e-100 to 1e100 long, and `up` is off the line of sight by at
-///                least 1e-6 radians. The Moon need not be in the picture
+/// Throws  Error  unless the camera stands outside the Moon and within 1e6 lunar radii, its field is 1e-8 to 179.9
+///                degrees, its sides 1 to 65535 pixels, its flattening 0.8 to 1, its direction 0 or 1e-100 to 1e100
+///                long, and `up` is off the line of sight by at least 1e-6 radians. The Moon need not be in the picture
 void require_sound(const SceneCamera& camera);
+
+/// Lines of sight of a camera, Moon-fixed, in lunar radii: corner + x across + y down.
+struct Sight {
+  glm::dvec3 position, corner, across, down;
+  glm::dmat3 round_from_flattened;  ///< inverse of flattened_by_air
+};
+
+/// Throws  Error  when the camera is not sound
+Sight sight_of(const SceneCamera& camera);
+
+/// Place on the Moon that a pixel shows: inverse of pixel_of.
+///
+/// Given     pixel  from the upper left corner, y down, the first pixel's centre at (0.5, 0.5)
+/// Returned  unit vector, Moon-fixed; nothing beside the Moon
+std::optional<glm::dvec3> ground_at(const Sight& sight, const glm::dvec2& pixel);
 
 }  // namespace coppermoon::povray_scenes

@@ -3,9 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
 
 #include "files/own_file.h"
 #include "files/whole_file.h"
@@ -15,11 +13,6 @@
 namespace coppermoon::povray_scenes {
 namespace {
 
-/// Reflection of the world in which a camera of Mitsuba, which cannot be mirrored, sees a mirrored picture.
-glm::dvec3 reflected(const SceneCamera& camera, const glm::dvec3& v) {
-  return camera.mirrored ? glm::dvec3(v.x, -v.y, v.z) : v;
-}
-
 std::string numbers(const glm::dvec3& v) {
   return fmt::format("{:.9g}, {:.9g}, {:.9g}", v.x, v.y, v.z);
 }
@@ -28,12 +21,6 @@ std::string escaped(std::string_view text) {
   std::string safe;
   for (const char c : text) safe += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
   return safe;
-}
-
-/// XML forbids two hyphens within a comment.
-std::string in_comment(std::string text) {
-  std::ranges::replace(text, '-', '_');
-  return text;
 }
 
 }  // namespace
@@ -49,13 +36,11 @@ std::string to_mitsuba(const MoonScene& scene) {
     <emitter type="area"><rgb name="radiance" value="{:.6g}, {:.6g}, {:.6g}"/></emitter>
   </shape>
 )",
-                          numbers(reflected(camera, centre)), radius, luminance[0], luminance[1],
-                          luminance[2]);
-  const auto at = [&](const glm::dvec3& place) { return numbers(reflected(camera, place)); };
-  const double away = scene.moon_radius * glm::length(camera.position);
+                          numbers(centre), radius, luminance[0], luminance[1], luminance[2]);
+  const double away = glm::length(camera.position);
   return fmt::format(
       R"(<?xml version="1.0" encoding="utf-8"?>
-<!-- {caption}. In this folder: mitsuba -m scalar_rgb -o frame.exr eclipse.xml
+<!-- The eclipsed Moon. In this folder: mitsuba -m scalar_rgb -o frame.exr eclipse.xml
      Emission only: the frame has the texture's own values, scene-linear [cd/m2].
      The axes are the Moon-fixed X (longitude 0), Y (90 east), Z (north). -->
 <scene version="3.0.0">
@@ -68,7 +53,7 @@ std::string to_mitsuba(const MoonScene& scene) {
     <transform name="to_world">
       <lookat origin="{origin}" target="{target}" up="{up}"/>
     </transform>
-    <sampler type="stratified"><integer name="sample_count" value="{samples}"/></sampler>
+    <sampler type="stratified"><integer name="sample_count" value="64"/></sampler>
     <film type="hdrfilm">
       <integer name="width" value="{width}"/>
       <integer name="height" value="{height}"/>
@@ -88,31 +73,26 @@ std::string to_mitsuba(const MoonScene& scene) {
   </shape>
 {lights}</scene>
 )",
-      fmt::arg("caption", scene.caption.empty() ? "The eclipsed Moon" : in_comment(scene.caption)),
       fmt::arg("field", in_degrees(camera.horizontal_field)), fmt::arg("near", away / 1e3),
-      fmt::arg("far", away * 10), fmt::arg("origin", at(scene.moon_radius * camera.position)),
-      fmt::arg("target", at(scene.moon_radius * middle(camera))),
-      fmt::arg("up", at(glm::normalize(camera.up))),
-      fmt::arg("samples", scene.sampling_depth > 0 ? 64 : 1), fmt::arg("width", camera.width),
+      fmt::arg("far", away * 10), fmt::arg("origin", numbers(camera.position)),
+      fmt::arg("target", numbers(middle(camera))),
+      fmt::arg("up", numbers(glm::normalize(camera.up))), fmt::arg("width", camera.width),
       fmt::arg("height", camera.height), fmt::arg("mesh", mesh_file),
       fmt::arg("texture", escaped(scene.texture)), fmt::arg("lights", lights));
 }
 
 std::string mitsuba_mesh(const MoonScene& scene) {
   require_renderable(scene);
-  const auto& camera = scene.camera;
-  const auto flattened = scene.moon_radius * flattened_by_air(camera);
+  const auto flattened = flattened_by_air(scene.camera);
   const auto mesh = texture::sphere_mesh();
   std::string text = "# The Moon in the Moon-fixed axes X (longitude 0), Y (90 east), Z (north)\n";
   for (const auto& p : mesh.points) {
-    const auto v = reflected(camera, flattened * glm::dvec3(p.z, p.x, p.y));
+    const auto v = flattened * glm::dvec3(p.z, p.x, p.y);
     text += fmt::format("v {:.9g} {:.9g} {:.9g}\n", v.x, v.y, v.z);
   }
   for (const auto& st : mesh.st) text += fmt::format("vt {:.9g} {:.9g}\n", st.x, st.y);
-  for (auto [a, b, c] : mesh.triangles) {
-    if (camera.mirrored) std::swap(b, c);  // counter-clockwise from outside again
+  for (const auto& [a, b, c] : mesh.triangles)
     text += fmt::format("f {0}/{0} {1}/{1} {2}/{2}\n", a + 1, b + 1, c + 1);
-  }
   return text;
 }
 

@@ -15,11 +15,11 @@ inline constexpr const char* mesh_file = "moon.obj";
 /// Text of the scene for Mitsuba 3, in the axes of the Moon-fixed frame: emission only, so that the frame of a
 /// variant in RGB, as `mitsuba -m scalar_rgb -o frame.exr eclipse.xml` makes it, has the texture's values [cd/m²].
 ///
-/// Returned  XML; a mirrored camera becomes a mirrored world
+/// Returned  XML
 /// Throws    Error  as to_pov
 std::string to_mitsuba(const MoonScene& scene);
 
-/// Moon's mesh for that scene, as Wavefront OBJ with the texture's places: flattened and mirrored as the camera has it,
+/// Moon's mesh for that scene, as Wavefront OBJ with the texture's places: flattened as the camera has it,
 /// for Mitsuba's spheres are round.
 ///
 /// Accuracy  round within 7.5e-5 of the radius

@@ -33,8 +33,7 @@ struct StarInSky {
   std::array<double, 3> illuminance_lux;  ///< linear Rec.709, on a surface that faces it
 };
 
-/// Text of an include file for POV-Ray with stars: Eclipsed_Stars(Eye, Diameter, Distance). It includes
-/// coppermoon.inc.
+/// Text of an include file for POV-Ray with stars: Eclipsed_Stars(Eye, Diameter, Distance). It includes coppermoon.inc.
 ///
 /// Given   title  as MoonInSky's; stars: one or more
 /// Throws  Error  when the title cannot stand in POV-Ray's text

@@ -2,21 +2,11 @@
 #include "povray_scenes/process.h"
 
 #include <fmt/format.h>
-#include <poll.h>
-#include <sys/inotify.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <chrono>
-#include <cstddef>
 #include <cstdio>
-#include <optional>
 #include <random>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "algebra/error.h"
@@ -28,7 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using algebra::Error;
-using Clock = std::chrono::steady_clock;
 
 /// Parser of POV-Ray's messages: counts of frames and pixels, and errors.
 struct Conversation {
@@ -92,65 +81,6 @@ std::vector<std::string> command(const RenderSettings& settings, const Run& run)
   return words;
 }
 
-int milliseconds_left(const RenderSettings& settings, Clock::time_point start) {
-  if (settings.timeout_s == 0) return -1;
-  const double used_s = std::chrono::duration<double>(Clock::now() - start).count();
-  if (used_s >= settings.timeout_s)
-    throw Error(fmt::format("{}: not done after {:g} s, the time allowed", settings.povray,
-                            settings.timeout_s));
-  return static_cast<int>(std::min(settings.timeout_s - used_s, 1e3) * 1e3) + 1;
-}
-
-/// Watch for the closing of a written file; never reports where the system has no more watches.
-class Closing {
- public:
-  Closing(const fs::path& folder, std::string file) : file_(std::move(file)) {
-    watch_.number = ::inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
-    if (watch_.number >= 0 &&
-        ::inotify_add_watch(watch_.number, folder.c_str(), IN_CLOSE_WRITE) < 0)
-      watch_.close();
-  }
-
-  /// Readable when some file was closed; below 0: there is no watch.
-  int descriptor() const { return watch_.number; }
-
-  bool closed() const {
-    alignas(inotify_event) std::array<char, 4096> events;
-    const auto count = ::read(watch_.number, events.data(), events.size());
-    for (std::ptrdiff_t at = 0; at < count;) {
-      const auto* event = reinterpret_cast<const inotify_event*>(events.data() + at);
-      if (event->len > 0 && file_ == event->name) return true;
-      at += static_cast<std::ptrdiff_t>(sizeof *event + event->len);
-    }
-    return false;
-  }
-
- private:
-  std::string file_;
-  files::FileDescriptor watch_;
-};
-
-/// Reads POV-Ray's messages until it ends, or closes its file.
-///
-/// Returned  whether it closed its file and may still run
-bool listen(Conversation& heard, int from, const Closing* closing, const RenderSettings& settings) {
-  const auto start = Clock::now();
-  std::array<char, 4096> buffer;
-  for (;;) {
-    std::array<pollfd, 2> waiting{
-        {{from, POLLIN, 0}, {closing ? closing->descriptor() : -1, POLLIN, 0}}};
-    if (::poll(waiting.data(), waiting.size(), milliseconds_left(settings, start)) <= 0) continue;
-    if (waiting[1].revents != 0 && closing->closed()) return true;
-    if (waiting[0].revents == 0) continue;
-    const auto count = ::read(from, buffer.data(), buffer.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) break;
-    heard.hear({buffer.data(), static_cast<std::size_t>(count)});
-  }
-  heard.end_line();
-  return false;
-}
-
 }  // namespace
 
 Draft::Draft(const fs::path& in)
@@ -181,23 +111,16 @@ fs::path Draft::finish(const std::string& ending, const std::string& name,
 void run_povray(const RenderSettings& settings, const Draft& draft, const Run& run) {
   algebra::require_within("threads", settings.threads, 0, 512);
   algebra::require_within("timeout [s]", settings.timeout_s, 0, 1e7);
-  files::Pipe words;
-  files::Child child;
-  std::optional<Closing> closing;
-  if (run.until_closed) closing.emplace(draft.folder, run.output);
   std::vector<std::string> environment;
   if (!run.with_users_settings)  // ours stand in their place
     environment.push_back(std::string("POVINI=") + settings_file);
-  files::start(child, {command(settings, run), "povray", draft.folder, environment},
-               {.error = words.in.number});
-  words.in.close();
   Conversation heard{run};
-  if (listen(heard, words.out.number, closing ? &*closing : nullptr, settings)) return;
-  const int status = child.status();
-  if (WIFSIGNALED(status))
-    throw Error(fmt::format("{}: ended by signal {}", settings.povray, WTERMSIG(status)));
-  if (WEXITSTATUS(status) != 0)
-    throw Error(fmt::format("{}: {}", settings.povray, heard.last_words()));
+  const bool well = files::run_heard({command(settings, run), "povray", draft.folder, environment},
+                                     {.hear = [&](std::string_view words) { heard.hear(words); },
+                                      .until_closed = run.until_closed ? run.output : "",
+                                      .timeout_s = settings.timeout_s});
+  heard.end_line();
+  if (!well) throw Error(fmt::format("{}: {}", settings.povray, heard.last_words()));
 }
 
 }  // namespace coppermoon::povray_scenes

@@ -41,8 +41,7 @@ std::filesystem::path render(const std::filesystem::path& folder,
 /// Renders a frame that is read at once, and only once. POV-Ray is ended when it has closed the file, which saves the
 /// third of a second that it sleeps before its own end.
 ///
-/// Given   read  reads the whole file, and throws where it is not whole, as on a full disk; the file is then
-///               gone
+/// Given   read  reads the whole file, and throws where it is not whole, as on a full disk; the file is then gone
 /// Throws  Error  as render; also what `read` throws
 void render_for(const std::function<void(const std::filesystem::path& exr)>& read,
                 const std::filesystem::path& folder, const RenderSettings& settings = {},

@@ -12,8 +12,8 @@
 #include "algebra/error.h"
 #include "files/own_file.h"
 #include "files/whole_file.h"
+#include "povray_scenes/camera.h"
 #include "povray_scenes/scene_text.h"
-#include "povray_scenes/sight.h"
 
 namespace coppermoon::povray_scenes {
 namespace {
@@ -30,12 +30,6 @@ void require_texture_name(const std::string& name) {
     throw algebra::Error(fmt::format(
         "texture = '{}', allowed: an ASCII file name in the scene's folder that ends in .exr",
         name));
-}
-
-void require_one_line(std::string_view caption) {
-  const auto control = [](char c) { return static_cast<unsigned char>(c) < ' '; };
-  if (std::ranges::any_of(caption, control))
-    throw algebra::Error(fmt::format("caption = '{}', allowed: one line of text", caption));
 }
 
 std::string pov_numbers(const glm::dvec3& v) { return fmt::format("{}, {}, {}", v.x, v.z, v.y); }
@@ -65,11 +59,10 @@ std::string pane_text(const MoonScene& scene) {
   if (!scene.air) return {};
   const auto& [image, columns, rows, step] = *scene.air;
   const auto sight = sight_of(scene.camera);
-  const double unit = scene.moon_radius * static_cast<double>(step);
+  const auto unit = static_cast<double>(step);
   const auto across = unit * static_cast<double>(columns) * sight.across,
              up = -unit * static_cast<double>(rows) * sight.down,
-             corner = scene.moon_radius * (sight.position + sight.corner) -
-                      unit / 2 * (sight.across + sight.down) - up;
+             corner = sight.position + sight.corner - unit / 2 * (sight.across + sight.down) - up;
   return fmt::format(R"(// Light of the air, before Moon and stars.
 #declare Opacity = 0.001;  // of a pane that shines through it
 polygon {{
@@ -83,8 +76,7 @@ polygon {{
 }}
 )",
                      image, pov_numbers(across), pov_numbers(up),
-                     pov_numbers(scene.moon_radius * line_of_sight(scene.camera)),
-                     pov_numbers(corner));
+                     pov_numbers(line_of_sight(scene.camera)), pov_numbers(corner));
 }
 
 }  // namespace
@@ -97,8 +89,8 @@ glm::dvec3 middle(const SceneCamera& camera) {
 std::vector<LightSphere> light_spheres(const MoonScene& scene) {
   constexpr double pi = std::numbers::pi, most_luminance = 3e4;  // a half float ends at 65504
   const auto& camera = scene.camera;
-  // as near behind the Moon as can be: POV-Ray renders black from 1e7, and bounds nothing from 1e6
-  const double away = std::min(2 * scene.moon_radius * glm::length(camera.position), 0.995e7);
+  // as near behind the Moon as can be: POV-Ray bounds nothing from 1e6
+  const double away = 2 * glm::length(camera.position);
   const double pixel =
       2 * std::tan(in_radians(camera.horizontal_field) / 2) / static_cast<double>(camera.width);
   std::vector<LightSphere> all;
@@ -107,7 +99,7 @@ std::vector<LightSphere> light_spheres(const MoonScene& scene) {
     const double radius = std::max({std::sin(std::min(pixel, 0.1)), light.radius_rad,
                                     std::sqrt(std::ranges::max(lux) / (pi * most_luminance))});
     const double solid_angle = pi * radius * radius;
-    all.push_back({scene.moon_radius * camera.position + away * light.direction,
+    all.push_back({camera.position + away * light.direction,
                    away * radius,
                    {lux[0] / solid_angle, lux[1] / solid_angle, lux[2] / solid_angle}});
   }
@@ -118,22 +110,17 @@ void require_renderable(const MoonScene& scene) {
   require_sound(scene.camera);
   require_texture_name(scene.texture);
   if (scene.air) require_texture_name(scene.air->image);
-  require_one_line(scene.caption);
-  algebra::require_within("moon_radius [units]", scene.moon_radius, 1e-2, 1e5);
-  algebra::require_within("distance of the camera [units]",
-                          scene.moon_radius * glm::length(scene.camera.position), 0, 0.99e7);
-  algebra::require_within("sampling depth", scene.sampling_depth, 0, 9);
 }
 
-CameraText camera_text(const SceneCamera& camera, double moon_radius) {
-  return {left_handed(moon_radius * camera.position), left_handed(glm::normalize(camera.up)),
-          left_handed(moon_radius * middle(camera)), squash(camera)};
+CameraText camera_text(const SceneCamera& camera) {
+  return {left_handed(camera.position), left_handed(glm::normalize(camera.up)),
+          left_handed(middle(camera)), squash(camera)};
 }
 
 std::string pov_text(const MoonScene& scene, const PovText& text) {
   const SceneCamera& camera = scene.camera;
   return fmt::format(
-      R"(// {caption}
+      R"(// The eclipsed Moon
 // Emission only: the frame has the texture's own values, scene-linear [cd/m2].
 // The Moon-fixed axes X (longitude 0), Y (90 east), Z (north) are x, z, y here.
 #version 3.7;
@@ -143,33 +130,31 @@ background {{ {background} }}
   perspective
   location {location}
   direction z
-  right {mirror}x*{width}/{height}
+  right x*{width}/{height}
   up y
   sky {sky}
   angle {field}
   look_at {look_at}
 }}
 sphere {{
-  <0, 0, 0>, {radius}
+  <0, 0, 0>, 1
   pigment {{ image_map {{ exr {texture} map_type 1 interpolate 2 }} }}
   finish {{ ambient 0 diffuse 0 emission 1 }}
   rotate y*180
 {flattened}}}
 {lights})",
-      fmt::arg("caption", scene.caption.empty() ? "The eclipsed Moon" : scene.caption),
       fmt::arg("background", scene.alpha ? "rgbt 1" : "rgb 0"),
       fmt::arg("declarations", text.declarations), fmt::arg("location", text.location),
-      fmt::arg("mirror", camera.mirrored ? "-" : ""), fmt::arg("width", camera.width),
-      fmt::arg("height", camera.height), fmt::arg("sky", text.sky),
+      fmt::arg("width", camera.width), fmt::arg("height", camera.height), fmt::arg("sky", text.sky),
       fmt::arg("look_at", text.look_at), fmt::arg("field", in_degrees(camera.horizontal_field)),
-      fmt::arg("radius", scene.moon_radius), fmt::arg("texture", text.texture),
-      fmt::arg("flattened", text.flattened), fmt::arg("lights", text.lights));
+      fmt::arg("texture", text.texture), fmt::arg("flattened", text.flattened),
+      fmt::arg("lights", text.lights));
 }
 
 std::string ini_text(const MoonScene& scene, const std::string& output,
                      const std::string& animation) {
   return fmt::format(
-      R"(; {caption}
+      R"(; The eclipsed Moon
 ; In this folder: povray {settings}
 Input_File_Name={input}
 Output_File_Name={output}
@@ -179,23 +164,20 @@ Output_Alpha={alpha}
 Width={width}
 Height={height}
 Quality=9
-Antialias={antialias}
+Antialias=on
 Antialias_Threshold=0.0
 Antialias_Gamma=1.0
 Sampling_Method=2
-Antialias_Depth={depth}
+Antialias_Depth=2
 Jitter=off
 Display=off
 Pause_When_Done=off
 Verbose=on
 {animation})",
-      fmt::arg("caption", scene.caption.empty() ? "The eclipsed Moon" : scene.caption),
       fmt::arg("settings", settings_file), fmt::arg("input", scene_file),
       fmt::arg("output", output), fmt::arg("alpha", scene.alpha ? "on" : "off"),
       fmt::arg("animation", animation), fmt::arg("width", scene.camera.width),
-      fmt::arg("height", scene.camera.height),
-      fmt::arg("antialias", scene.sampling_depth > 0 ? "on" : "off"),
-      fmt::arg("depth", std::max(scene.sampling_depth, 1)));
+      fmt::arg("height", scene.camera.height));
 }
 
 void require_folder(const std::filesystem::path& folder) {
@@ -214,7 +196,7 @@ void write_texts(const std::filesystem::path& folder, const std::string& pov,
 
 std::string to_pov(const MoonScene& scene) {
   require_renderable(scene);
-  const auto camera = camera_text(scene.camera, scene.moon_radius);
+  const auto camera = camera_text(scene.camera);
   const auto flattened =
       camera.squash.empty() ? "" : fmt::format("  matrix <{}, 0, 0, 0>\n", camera.squash);
   return pov_text(scene, {.declarations = {},

@@ -31,15 +31,11 @@ struct AirBefore {
   std::size_t columns = 2, rows = 2, step = 1;
 };
 
-/// Textured Moon before a black sky. The texture is emission: the frame has its unit (cd/m²) and primaries,
+/// Textured Moon, with the radius 1, before a black sky. The texture is emission: the frame has its unit (cd/m²) and primaries,
 /// scene-linear.
 struct MoonScene {
   SceneCamera camera;
-  std::string texture;     ///< an .exr in the scene's folder: a plain ASCII file name
-  double moon_radius = 1;  ///< in the scene's own units: 1737.4 makes a scene in kilometres
-  /// A pixel is the weighted mean of (2^(depth - 1) + 1)² rays; 0: one ray, through its centre.
-  int sampling_depth = 2;
-  std::string caption = {};  ///< one line, written as a comment at the head of both files
+  std::string texture;  ///< an .exr in the scene's folder: a plain ASCII file name
   /// Lights behind the Moon: emitting spheres with the radius of a pixel, or of the planet where that is larger. Of
   /// two closer than that one hides the other.
   std::vector<SkyLight> lights = {};
@@ -54,10 +50,7 @@ struct MoonScene {
 /// The air is a pane near the camera, which takes 0.1 % of the light behind it.
 /// Accuracy  POV-Ray reads the texture and writes the frame as half floats: 5e-4 relative above
 ///           6.1e-5, 3e-8 below; infinite above 65504
-/// Throws    Error  when the camera is not sound; when the moon_radius is outside 1e-2 to 1e5, or
-///                  the camera beyond 0.99e7 units (POV-Ray renders black from 1e7); when the
-///                  texture's name is not plain, not ASCII or not .exr; when the sampling depth is
-///                  outside 0 to 9, or the caption not one line
+/// Throws    Error  when the camera is not sound, or the texture's name is not plain, not ASCII or not .exr
 std::string to_pov(const MoonScene& scene);
 
 /// Text of POV-Ray's settings: size, file names and anti-aliasing that also works in the dark (the
@@ -74,13 +67,11 @@ std::string to_ini(const MoonScene& scene);
 /// Throws  Error
 void require_scene_place(const std::filesystem::path& folder);
 
-/// Writes eclipse.pov and eclipse.ini, each whole or not at all; with the texture put beside them,
-/// `povray eclipse.ini` in that folder makes frame.exr. The last line of each is a fingerprint, by which later
-/// changes are recognised.
+/// Writes eclipse.pov and eclipse.ini, each whole or not at all; with the texture put beside them, `povray eclipse.ini`
+/// in that folder makes frame.exr. The last line of each is a fingerprint, by which later changes are recognised.
 ///
 /// Given   folder  made when only its last part is missing
-/// Throws  Error   as to_pov, before anything is written; or when the folder or a file cannot be
-///                 made
+/// Throws  Error   as to_pov, before anything is written; or when the folder or a file cannot be made
 void write_scene(const std::filesystem::path& folder, const MoonScene& scene);
 
 }  // namespace coppermoon::povray_scenes

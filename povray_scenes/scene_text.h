@@ -16,7 +16,7 @@ struct CameraText {
   std::string location, sky, look_at;  ///< vectors
   std::string squash;                  ///< a matrix's nine numbers; empty: the disc is round
 };
-CameraText camera_text(const SceneCamera& camera, double moon_radius);
+CameraText camera_text(const SceneCamera& camera);
 
 /// Point that the middle of a picture shows, Moon-fixed, in lunar radii.
 glm::dvec3 middle(const SceneCamera& camera);

@@ -28,20 +28,17 @@ std::size_t digits(std::size_t last) {
 MoonScene single_scene(const Sequence& sequence, std::size_t frame) {
   return {.camera = sequence.cameras[frame - sequence.first_frame],
           .texture = numbered_file(sequence.textures, frame, sequence.last_frame()),
-          .moon_radius = sequence.moon_radius,
-          .sampling_depth = sequence.sampling_depth,
-          .caption = sequence.caption,
           .lights = {},
           .alpha = sequence.alpha};
 }
 
 void require_same_picture(const SceneCamera& camera, const SceneCamera& first) {
   if (camera.width == first.width && camera.height == first.height &&
-      camera.horizontal_field == first.horizontal_field && camera.mirrored == first.mirrored)
+      camera.horizontal_field == first.horizontal_field)
     return;
   const auto picture = [](const SceneCamera& of) {
-    return fmt::format("{} x {} pixels, {} degrees wide{}", of.width, of.height,
-                       in_degrees(of.horizontal_field), of.mirrored ? ", mirrored" : "");
+    return fmt::format("{} x {} pixels, {} degrees wide", of.width, of.height,
+                       in_degrees(of.horizontal_field));
   };
   throw Error(fmt::format("picture = {}, allowed: that of the first frame, {}", picture(camera),
                           picture(first)));
@@ -141,8 +138,7 @@ std::string numbered_file(const std::string& stem, std::size_t frame, std::size_
 std::string to_pov(const Sequence& sequence) {
   require_renderable(sequence);
   std::vector<CameraText> frames;
-  for (const auto& camera : sequence.cameras)
-    frames.push_back(camera_text(camera, sequence.moon_radius));
+  for (const auto& camera : sequence.cameras) frames.push_back(camera_text(camera));
   const bool flattened = !std::ranges::all_of(frames, &std::string::empty, &CameraText::squash);
   return pov_text(single_scene(sequence, sequence.first_frame),
                   {.declarations = declarations(sequence, frames, flattened),

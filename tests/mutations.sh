@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Plants fifty mutations in a copy of the stages' sources, one at a time: one operator or one number of a random place is
+# Plants forty mutations in a copy of the stages' sources, one at a time: one operator or one number of a random place is
 # another (tests/mutations.py). The quick tests of the stage alone run.
 #
 #   tests/mutations.sh [--seed N] [STAGE …]    all stages; another seed each time, which is printed
@@ -11,7 +11,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 . tests/planting.sh
-counted=50 least=85 drawn=120
+counted=40 least=85 drawn=100
 
 seed=$(od -An -N3 -tu4 /dev/urandom | tr -d ' ')
 if [ "${1:-}" = --seed ]; then seed=$2; shift 2; fi

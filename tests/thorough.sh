@@ -1,9 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Everything that is checked beside tests/run.sh, in steps of some ten minutes on two processors: some six hours. On
+# Everything that is checked beside tests/run.sh, in steps of some ten minutes on two processors: four hours at most. On
 # Debian 12, as root or with sudo, from any folder; prints the seconds of each step.
 #
+# Long steps draw a part of what they check, and say which: the turn, which the count of commits moves on, decides, so that
+# all is checked in time. Bounds of a part are those that its own number allows (tests/support/chance.h).
+#
 #   tests/thorough.sh               all steps
+#   tests/thorough.sh --whole STEP …    those named, with nothing left to other turns
 #   tests/thorough.sh STEP …        those named
 #   tests/thorough.sh --part K/N    every N-th step from the K-th on; K may be any whole number, as a count of commits
 #   tests/thorough.sh --list        the steps' names
@@ -17,11 +21,17 @@ export LSAN_OPTIONS="suppressions=$PWD/.cmake/leaks_of_others.txt:print_suppress
 
 steps="compiled_alone quick_in_release heavy_under_sanitizers races tidy fuzzers libraries_thoroughly program_thoroughly
 extremes_thoroughly films_and_convergence plans_kept plans_kept_with_regions air_recovered stills_recovered
-nights_recovered planted_faults planted_mutations planted_parameter natural_commands other_programs packages measurements small_examples full_examples
-full_film sweep_1 sweep_2 sweep_3 sweep_4 sweep_5 packages_debian_13 portable"
+nights_recovered planted_faults planted_mutations planted_parameter natural_commands other_programs packages measurements
+small_examples full_examples sweep portable"
 
 released() { sh examples/build.sh "$1" packages.tests.debian; }
 test_release() { ctest --test-dir build/release --output-on-failure --no-tests=error --parallel "$processors" "$@"; }
+
+# drawn PARTS: says which part of PARTS the step draws. takes I PARTS: whether that is the I-th.
+drawn() {
+  if [ -n "${COPPERMOON_TURN:-}" ]; then echo "drawn: part $((COPPERMOON_TURN % $1 + 1)) of $1"; else echo "drawn: all"; fi
+}
+takes() { [ -z "${COPPERMOON_TURN:-}" ] || [ $((COPPERMOON_TURN % $2)) -eq "$1" ]; }
 
 # Each source and each public header by itself: none lives on what another includes. tests/run.sh compiles many at once.
 compiled_alone() {
@@ -60,7 +70,7 @@ tidy() {
 
 fuzzers() {
   released coppermoon_program
-  tests/fuzz.sh 120
+  tests/fuzz.sh 90
 }
 
 libraries_thoroughly() {
@@ -84,27 +94,37 @@ films_and_convergence() {
   test_release -L '^slow$' -R '^(end_to_end/film|extremes/film_faults|baker/shadow/convergence|baker/uses/fit/fitted_light|baker/wrappers/python/(umbra|wheel))$'
 }
 
+# Every second run.
 plans_kept() {
+  drawn 2
   released slow_tests
   test_release -L '^slow$' -R '^end_to_end/planned_runs$'
 }
 
+# Every second run.
 plans_kept_with_regions() {
+  drawn 2
   released slow_tests
   test_release -L '^slow$' -R '^end_to_end/planned_regions$'
 }
 
+# Every second photograph.
 air_recovered() {
+  drawn 2
   released slow_tests
   test_release -L '^slow$' -R '^end_to_end/recovery$'
 }
 
+# Every third still.
 stills_recovered() {
+  drawn 3
   released slow_tests
   test_release -L '^slow$' -R '^end_to_end/stills$'
 }
 
+# Every second night.
 nights_recovered() {
+  drawn 2
   released slow_tests
   test_release -L '^slow$' -R '^end_to_end/nights$'
 }
@@ -133,22 +153,23 @@ natural_commands() {
 
 other_programs() { tests/hand_off.sh; }
 
-packages() { tests/packages.sh; }
-
-packages_debian_13() { tests/packages.sh trixie; }
+# On Debian 12, the next turn on 13.
+packages() {
+  drawn 2
+  if takes 0 2; then tests/packages.sh; fi
+  if takes 1 2; then tests/packages.sh trixie; fi
+}
 
 portable() { tests/portable.sh; }
 
-# sweep K: the K-th fifth of ten thousand random recipes.
+# A fifth of ten thousand random recipes.
 sweep() {
+  drawn 5
   released "coppermoon_program sweep_tests"
-  test_release -L '^sweep$' -R "^extremes/sweep/[0-9]*$(printf '(%d|%d)$' $((2 * $1 - 2)) $((2 * $1 - 1)))"
+  for fifth in 0 1 2 3 4; do
+    if takes $fifth 5; then test_release -L '^sweep$' -R "^extremes/sweep/[0-9]*[$fifth$((fifth + 5))]\$"; fi
+  done
 }
-sweep_1() { sweep 1; }
-sweep_2() { sweep 2; }
-sweep_3() { sweep 3; }
-sweep_4() { sweep 4; }
-sweep_5() { sweep 5; }
 
 measurements() {
   released coppermoon_program
@@ -172,27 +193,30 @@ small_examples() {
   cd "$root"
 }
 
+# The film, the next turn all others.
 full_examples() {
+  drawn 2
   released coppermoon_program
   cd "$scratch"
-  "$root/examples/first_eclipse.sh" --solver literal
-  "$root/examples/standard_figures.sh"
-  "$root/examples/paper_figures.sh"
-  "$root/examples/eclipse_brightness.sh"
-  "$root/examples/beside_photographs.sh"
-  "$root/examples/gallery/gallery.sh"
-  cd "$root"
-}
-
-full_film() {
-  released coppermoon_program
-  cd "$scratch"
-  "$root/examples/film.sh"
+  if takes 0 2; then "$root/examples/film.sh"; fi
+  if takes 1 2; then
+    "$root/examples/first_eclipse.sh" --solver literal
+    "$root/examples/standard_figures.sh"
+    "$root/examples/paper_figures.sh"
+    "$root/examples/eclipse_brightness.sh"
+    "$root/examples/beside_photographs.sh"
+    "$root/examples/gallery/gallery.sh"
+  fi
   cd "$root"
 }
 
 chosen=$steps
+COPPERMOON_TURN=$(git -c safe.directory='*' rev-list --count HEAD 2>/dev/null || echo 0)
 case ${1:-} in
+--whole)
+  shift
+  COPPERMOON_TURN= chosen=${*:-$steps}
+  ;;
 --list)
   printf '%s\n' $steps
   exit
@@ -201,9 +225,11 @@ case ${1:-} in
   k=${2%/*} n=${2#*/}
   case $k$n in '' | *[!0-9]*) echo "tests/thorough.sh --part $2: allowed is K/N, as 3/19" >&2; exit 2 ;; esac
   chosen=$(printf '%s\n' $steps | awk -v k="$k" -v n="$n" '(NR - 1) % n == k % n')
+  COPPERMOON_TURN=$((k / n))  # a step comes every n-th time
   ;;
 ?*) chosen=$* ;;
 esac
+if [ -n "$COPPERMOON_TURN" ]; then export COPPERMOON_TURN; else unset COPPERMOON_TURN; fi
 for step in $chosen; do
   printf '%s\n' $steps | grep -qx "$step" || { echo "tests/thorough.sh $step: is no step, allowed are" $steps >&2; exit 2; }
 done

@@ -16,6 +16,19 @@ std::optional<double> number_in(std::string_view text) {
   return number;
 }
 
+std::optional<std::size_t> whole_number(std::string_view text) {
+  if (text.size() > 9 || text.find_first_not_of("0123456789") != text.npos) return std::nullopt;
+  std::size_t number = 0;
+  const auto* end = text.data() + text.size();
+  return std::from_chars(text.data(), end, number).ec == std::errc{} ? std::optional(number)
+                                                                     : std::nullopt;
+}
+
+std::string_view without_spaces(std::string_view text) {
+  const auto first = std::min(text.find_first_not_of(' '), text.size());
+  return text.substr(first, text.find_last_not_of(' ') + 1 - first);
+}
+
 std::optional<double> number_with_unit(
     std::string_view text, const std::vector<std::pair<std::string_view, double>>& units) {
   for (const auto& [unit, size] : units) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -12,6 +13,12 @@ namespace coppermoon::algebra {
 ///
 /// Returned  none when the text is anything else, or exceeds a double
 std::optional<double> number_in(std::string_view text);
+
+/// Whole number of at most nine digits, without a sign.
+std::optional<std::size_t> whole_number(std::string_view text);
+
+/// Text without the blanks at its ends.
+std::string_view without_spaces(std::string_view text);
 
 /// Number in a text that ends in one of some units.
 ///

@@ -120,11 +120,6 @@ bool is_name(const std::string& known, std::string_view name) {
   return plain == plain_name(name) || plain == plain_name(without_umlauts(name));
 }
 
-std::string_view without_spaces(std::string_view text) {
-  const auto first = std::min(text.find_first_not_of(' '), text.size());
-  return text.substr(first, text.find_last_not_of(' ') + 1 - first);
-}
-
 /// Region, state or country.
 struct Area {
   std::vector<std::string> regions;  ///< plain names that a city's region may have
@@ -151,7 +146,7 @@ std::vector<Area> areas_in(std::string_view text) {
   std::vector<Area> areas;
   std::istringstream parts{std::string(text)};
   for (std::string part; std::getline(parts, part, ',');)
-    areas.push_back(area_named(without_spaces(part)));
+    areas.push_back(area_named(algebra::without_spaces(part)));
   return areas;
 }
 
@@ -191,8 +186,9 @@ std::string known_name(std::string_view name) {
 /// A city's name, and the areas behind a slash or comma; empty: any.
 std::pair<std::string_view, std::string_view> name_and_region(std::string_view text) {
   const auto end = text.find_first_of("/,");
-  if (end == std::string_view::npos) return {without_spaces(text), {}};
-  return {without_spaces(text.substr(0, end)), without_spaces(text.substr(end + 1))};
+  if (end == std::string_view::npos) return {algebra::without_spaces(text), {}};
+  return {algebra::without_spaces(text.substr(0, end)),
+          algebra::without_spaces(text.substr(end + 1))};
 }
 
 std::string as_written(const City& city) { return city.name + "/" + city.region; }

@@ -7,8 +7,11 @@
 
 #include <cmath>
 #include <optional>
+#include <regex>
+#include <string>
 
 #include "algebra/error.h"
+#include "algebra/number.h"
 
 namespace coppermoon::almanac {
 namespace {
@@ -19,87 +22,37 @@ struct CivilTime {
   int minutes_east = 0;  ///< of UTC
 };
 
-/// Takes exactly `count` digits off the front of the text.
-std::optional<int> take_digits(std::string_view& text, int count) {
-  int value = 0;
-  for (int i = 0; i < count; ++i) {
-    if (text.empty() || text.front() < '0' || text.front() > '9') return std::nullopt;
-    value = 10 * value + (text.front() - '0');
-    text.remove_prefix(1);
-  }
-  return value;
-}
-
-bool take(std::string_view& text, char letter) {
-  if (!text.starts_with(letter)) return false;
-  text.remove_prefix(1);
-  return true;
-}
-
-bool take_number(std::string_view& text, int count, int& value) {
-  const auto number = take_digits(text, count);
-  value = number.value_or(0);
-  return number.has_value();
-}
-
-/// Takes a date off the front of the text: "2018-07-27" or "20180727".
-bool take_date(std::string_view& text, CivilTime& c) {
-  const bool before_christ = take(text, '-');
-  if (!before_christ) take(text, '+');
-  if (!take_number(text, 4, c.year)) return false;
-  if (before_christ) c.year = -c.year;
-  const bool extended = take(text, '-');
-  return take_number(text, 2, c.month) && (!extended || take(text, '-')) &&
-         take_number(text, 2, c.day);
-}
-
-bool take_second(std::string_view& text, CivilTime& c) {
-  int whole = 0;
-  if (!take_number(text, 2, whole)) return false;
-  c.second = whole;
-  if (!take(text, '.')) return true;
-  double unit = 0.1;
-  auto digit = take_digits(text, 1);
-  if (!digit) return false;
-  for (; digit; digit = take_digits(text, 1), unit /= 10) c.second += unit * *digit;
-  return true;
-}
-
-/// Takes a time of day off the front of the text: "20:21", "20:21:45.5", "2021" or "202145".
-bool take_time(std::string_view& text, CivilTime& c) {
-  if (!take_number(text, 2, c.hour)) return false;
-  const bool extended = take(text, ':');
-  if (!take_number(text, 2, c.minute)) return false;
-  const bool more = !text.empty() && text.front() >= '0' && text.front() <= '9';
-  return (extended ? !take(text, ':') : !more) || take_second(text, c);
-}
-
 /// Whether there is such a time of day in some zone; 24:00 is the midnight that ends a day.
 bool is_time_of_day(const CivilTime& c) {
   const bool ends_day = c.hour == 24 && c.minute == 0 && c.second == 0;
   return (c.hour < 24 || ends_day) && c.minute < 60 && c.second < 61;
 }
 
-/// Takes an offset off the front of the text: "+04:00", "-0330" or "+04".
-bool take_offset(std::string_view& text, CivilTime& c) {
-  const int sign = text.starts_with('-') ? -1 : 1;
-  int hours = 0, minutes = 0;
-  if (!take(text, '+') && !take(text, '-')) return false;
-  if (!take_number(text, 2, hours)) return false;
-  if ((take(text, ':') || !text.empty()) && !take_number(text, 2, minutes)) return false;
-  c.minutes_east = sign * (60 * hours + minutes);
-  return hours <= 18 && minutes < 60;
-}
-
+/// Date, time of day and offset of an ISO 8601 text of those years; none of any other text.
 std::optional<CivilTime> civil_time(std::string_view text) {
-  CivilTime c;
-  if (!take_date(text, c) || c.year < -1999 || c.year > 3000) return std::nullopt;
-  const bool timed = take(text, 'T') || take(text, 't') || take(text, ' ');
-  if (timed && (!take_time(text, c) || !is_time_of_day(c))) return std::nullopt;
-  const bool utc = take(text, 'Z') || take(text, 'z');
-  if (!utc && timed && !text.empty() && !take_offset(text, c)) return std::nullopt;
-  if (!text.empty()) return std::nullopt;
-  return c;
+  static const std::regex iso_8601(
+      R"(([+-]?)(\d{4})(-?)(\d\d)\3(\d\d))"                   // date, extended or basic
+      R"((?:[Tt ](\d\d)(:?)(\d\d)(?:\7(\d\d(?:\.\d+)?))?)?)"  // time of day
+      R"((?:([Zz])|([+-])(\d\d)(?::?(\d\d))?)?)");            // offset
+  constexpr std::size_t longest = 64;
+  std::cmatch part;
+  if (text.size() > longest ||
+      !std::regex_match(text.data(), text.data() + text.size(), part, iso_8601))
+    return std::nullopt;
+  const auto number = [&](std::size_t group) {
+    return part[group].matched ? std::stoi(part[group].str()) : 0;
+  };
+  const bool timed = part[6].matched, offset = part[11].matched;
+  CivilTime c{part[1] == "-" ? -number(2) : number(2),
+              number(4),
+              number(5),
+              number(6),
+              number(8),
+              algebra::number_in(part[9].str()).value_or(0),
+              (part[11] == "-" ? -1 : 1) * (60 * number(12) + number(13))};
+  const bool sound = c.year >= -1999 && c.year <= 3000 && is_time_of_day(c) && (timed || !offset) &&
+                     number(12) <= 18 && number(13) < 60;
+  return sound ? std::optional(c) : std::nullopt;
 }
 
 /// The same moment by the clocks of UTC, where a leap second may end the day; none where there is no such day.

@@ -6,23 +6,20 @@
 
 namespace coppermoon::almanac {
 
-/// A moment: a two-part Julian date in TT (day at noon or midnight, plus the fraction), as ERFA
-/// keeps it.
+/// A moment: a two-part Julian date in TT (day at noon or midnight, plus the fraction), as ERFA keeps it.
 struct Instant {
   double tt_day = 0, tt_fraction = 0;
 };
 
-/// The calendar of a date. ISO 8601 is Gregorian throughout; before 15 October 1582 history gives
-/// Julian dates.
+/// The calendar of a date. ISO 8601 is Gregorian throughout; before 15 October 1582 history gives Julian dates.
 enum class Calendar { gregorian, julian };
 
 /// Instant of an ISO 8601 text, in UTC unless it ends in an offset.
 ///
-/// Given   text      "2008-02-21T03:08:26Z" or "20080221T030826Z"; the Z, the seconds and their
-///                   decimals may be left out, the time of day too (midnight). A space may stand for
-///                   the T, an offset to the east for the Z ("+04:00", to 18 h); t and z for T and Z.
-///                   24:00 is the end of the day. Leap seconds are those of UTC, told in any zone:
-///                   "2016-12-31T15:59:60-08:00". Years −1999 to 3000, signed as "-0584-05-22"
+/// Given   text      "2008-02-21T03:08:26Z" or "20080221T030826Z"; the Z, the seconds and their decimals may be left
+///                   out, the time of day too (midnight). A space may stand for the T, an offset to the east for the Z
+///                   ("+04:00", to 18 h); t and z for T and Z. 24:00 is the end of the day. Leap seconds are those of
+///                   UTC, told in any zone: "2016-12-31T15:59:60-08:00". Years −1999 to 3000, signed as "-0584-05-22"
 ///         calendar  of the date: Thales' eclipse is "-0584-05-22" in the Gregorian calendar,
 ///                   "-0584-05-28" in the Julian one
 /// Throws  Error  when the text is not such a date: quotes the text and an example

@@ -7,8 +7,7 @@
 
 namespace coppermoon::almanac {
 
-/// A place on the Earth: geodetic WGS 84 latitude, longitude east positive, height above the
-/// ellipsoid.
+/// A place on the Earth: geodetic WGS 84 latitude, longitude east positive, height above the ellipsoid.
 struct Observer {
   algebra::Angle latitude, longitude;
   algebra::Length elevation;
@@ -26,8 +25,7 @@ struct ObserverView {
   SelenographicPoint sub_observer;  ///< topocentric libration
 };
 
-/// Throws  Error  when the latitude is outside ±90°, the longitude ±360° or the elevation −500 to
-///                100 000 m
+/// Throws  Error  when the latitude is outside ±90°, the longitude ±360° or the elevation −500 to 100 000 m
 void require_on_earth(const Observer& observer);
 
 /// The Moon as seen from a place on the Earth, without refraction.

@@ -29,8 +29,7 @@ struct SkyState {
 /// Source    precession and nutation: IAU 2006/2000A (ERFA eraPnm06a)
 SkyState sky_at(const Instant& instant, LunarTheory theory = LunarTheory::elp_2000_82b);
 
-/// Apparent right ascension (0 to 2π), declination and distance of a GCRS position, for the equator
-/// of date.
+/// Apparent right ascension (0 to 2π), declination and distance of a GCRS position, for the equator of date.
 struct EquatorialPlace {
   algebra::Angle right_ascension, declination;
   algebra::Length distance;

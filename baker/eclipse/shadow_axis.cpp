@@ -27,6 +27,10 @@ ShadowPlace place_in_shadow(const ShadowAxis& axis, const glm::dvec3& position_m
           algebra::within_circle(algebra::radians(std::atan2(p.x, p.y))), algebra::metres(p.z)};
 }
 
+ShadowPlace moon_in_shadow(const almanac::SkyState& sky) {
+  return place_in_shadow(shadow_axis(sky), sky.moon_m);
+}
+
 ShadowPlace place_of_ground(const ShadowAxis& axis, const almanac::SkyState& sky,
                             const glm::dvec3& ground) {
   return place_in_shadow(axis,

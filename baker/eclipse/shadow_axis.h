@@ -38,6 +38,9 @@ struct ShadowPlace {
 /// Given  position_m  geocentric, GCRS axes [m]
 ShadowPlace place_in_shadow(const ShadowAxis& axis, const glm::dvec3& position_m);
 
+/// Place of the Moon's centre in the shadow.
+ShadowPlace moon_in_shadow(const almanac::SkyState& sky);
+
 /// Place of the Moon's ground in the shadow.
 ///
 /// Given  ground  unit vector, Moon-fixed axes

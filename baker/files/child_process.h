@@ -1,49 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <sys/types.h>
-
 #include <filesystem>
-#include <optional>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "files/handle.h"
+
 namespace coppermoon::files {
-
-/// Number of an open file, closed at the end.
-struct FileDescriptor {
-  int number = -1;
-
-  FileDescriptor() = default;
-  FileDescriptor(const FileDescriptor&) = delete;
-  FileDescriptor& operator=(const FileDescriptor&) = delete;
-  ~FileDescriptor() { close(); }
-  void close();
-};
-
-/// Pipe whose ends are 3 and above: a child can put its standard streams in place without closing them.
-struct Pipe {
-  FileDescriptor out, in;
-
-  /// Throws  Error  when the system has none left
-  Pipe();
-};
-
-/// Running program, killed by the destructor.
-struct Child {
-  pid_t id = 0;
-  bool leads_group = false;  ///< its process group is killed with it
-
-  Child() = default;
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-  ~Child();
-
-  /// Waits for the program's end.
-  ///
-  /// Returned  status as of waitpid
-  int status();
-};
 
 /// Program as it is to be run.
 struct Program {
@@ -55,34 +21,43 @@ struct Program {
   bool outlives_us = false;
 };
 
-/// Descriptors of a program's standard streams, 3 or above; below 0: /dev/null.
-struct Streams {
-  int input = -1, output = -1, error = -1;
+/// What becomes of a program's output while it runs.
+struct Hearing {
+  const Handle* result = nullptr;  ///< takes its standard output; none: nothing does
+  /// Told what the program says on its standard error, as it comes; may throw, which ends the program.
+  std::function<void(std::string_view)> hear{};
+  /// Ends the program once it has closed this file in its folder, where the system reports that; empty: never.
+  std::string until_closed{};
+  double timeout_s = 0;  ///< 0: none
 };
 
-/// Starts a program. Unless it outlives us it ends with the calling thread, whatever ends that: the thread must
-/// wait for the child.
+/// Runs a program to its end, or for as long as it is heard. It does not outlive this call, whether that returns,
+/// throws, or the process is killed.
 ///
-/// Throws  Error  when it cannot be run: names the package when there is no such program
-void start(Child& child, const Program& program, const Streams& streams);
+/// Returned  whether it ended well, or closed that file
+/// Throws    Error  when it cannot be run: names the package when there is no such program; when a signal ended it;
+///                  when it takes longer than allowed
+bool run_heard(const Program& program, const Hearing& hearing);
 
 /// Runs a program to its end.
 ///
-/// Given   result  descriptor of the file for its standard output, 3 or above; without: /dev/null
-/// Throws  Error   as start; when it fails: its own first words; when it ends well: as require_whole
-void run_program(const Program& program, std::optional<int> result = {});
+/// Given   result  takes its standard output; none: nothing does
+/// Throws  Error   as run_heard; when it fails: its own first words; when it ends well: as require_whole
+void run_program(const Program& program, const Handle* result = nullptr);
 
 /// Refuses a file that a program left empty or cut off (has_its_end), whatever its exit status says.
 ///
 /// Given  by  name of the program
-void require_whole(int descriptor, const std::string& by);
-void require_whole(const std::filesystem::path& file, const std::string& by);
+void require_whole(const Handle& file, const std::string& by);
 
 /// Runs a program to its end.
 ///
 /// Given     program  writes at most 4096 bytes to its standard output
 /// Returned  its standard output
-/// Throws    Error  as start; when it fails: its own last words
+/// Throws    Error  as run_heard; when it fails: its own last words
 std::string output_of(const Program& program);
+
+/// Name by which a program can open its standard output, to go back in it as a pipe cannot.
+extern const char* const own_output;
 
 }  // namespace coppermoon::files

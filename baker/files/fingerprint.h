@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <string_view>
 
 namespace coppermoon::files {
@@ -10,5 +12,10 @@ namespace coppermoon::files {
 ///
 /// Source  XXH3_64bits of xxHash 0.8
 std::uint64_t fingerprint(std::string_view bytes);
+
+/// The same checksum of bytes that come in pieces.
+///
+/// Given  next  gives each piece in turn, and an empty one after the last
+std::uint64_t fingerprint_of_pieces(const std::function<std::string()>& next);
 
 }  // namespace coppermoon::files

@@ -3,21 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <limits>
-#include <string>
-
 #include "algebra/error.h"
 
 namespace coppermoon::files {
-
-double available_memory() {
-  std::ifstream file("/proc/meminfo");
-  for (std::string name; file >> name;
-       file.ignore(std::numeric_limits<std::streamsize>::max(), '\n'))
-    if (double kibibytes = 0; name == "MemAvailable:" && file >> kibibytes) return 1024 * kibibytes;
-  return 1e9;
-}
 
 void require_memory(std::string_view what, double bytes) {
   if (const double available = available_memory(); bytes > available)

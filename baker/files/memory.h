@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 namespace coppermoon::files {
@@ -14,5 +15,14 @@ double available_memory();
 ///         bytes  that it will take
 /// Throws  Error  with both numbers
 void require_memory(std::string_view what, double bytes);
+
+/// Whether this process may take only so many addresses.
+bool addresses_are_limited();
+
+/// Whether the system would give this process so many addresses [bytes].
+bool has_addresses(std::size_t bytes);
+
+/// Keeps memory that is freed for this process's next use: pages of the system cost a tenth of a texture's time.
+void keep_freed_memory();
 
 }  // namespace coppermoon::files

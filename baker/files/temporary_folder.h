@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "files/child_process.h"
+#include "files/running_program.h"
 
 namespace coppermoon::files {
 
@@ -13,7 +13,7 @@ namespace coppermoon::files {
 /// Throws  Error  with the name that TMPDIR gives
 void require_temporary_folder();
 
-/// Removal of a file or a folder when the program ends during this object's lifetime, even by kill -9: a child shell
+/// Removal of a file or a folder when the program ends during this object's lifetime, whatever ends it: a child
 /// waits for the program's end. Where there is no shell, file or folder stay.
 class RemovalAtEnd {
  public:
@@ -23,7 +23,7 @@ class RemovalAtEnd {
 
  private:
   std::optional<Pipe> alive_;  ///< closed by the end of the program, or after the remover's
-  Child remover_;
+  RunningProgram remover_;
 };
 
 /// Temporary folder, removed with this object or at the program's end, whatever ends it.

@@ -1,126 +1,39 @@
 // SPDX-License-Identifier: MIT
 #include "files/whole_file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <fstream>
-#include <optional>
 #include <string>
 #include <system_error>
 
 #include "algebra/error.h"
-#include "files/temporary_folder.h"
+#include "files/new_file.h"
 
 namespace coppermoon::files {
 namespace {
 
 namespace fs = std::filesystem;
 
-algebra::Error cannot_write(const fs::path& path, int reason) {
-  return algebra::Error(fmt::format("{}: cannot be written: {}", path.string(),
-                                    std::generic_category().message(reason)));
-}
-
-/// New file beside the final one, removed at the program's end or by the destructor unless renamed. Where the file
-/// system can, the file has no name until then.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const fs::path& final_path) : final_(final_path) {
-    if (fs::exists("/proc/self/fd"))
-      descriptor_ = ::open(final_.parent_path().c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) {
-      descriptor_ = with_a_name([](const fs::path& name) {
-        return ::open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      });
-      removal_.emplace(path_);
-    }
-    keep_permissions();
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-    if (!path_.empty()) ::unlink(path_.c_str());
-  }
-
-  int descriptor() const { return descriptor_; }
-
-  void rename_to_final() {
-    if (::fsync(descriptor_) != 0) throw cannot_write(final_, errno);
-    if (path_.empty()) {
-      if (named(final_)) return;  // at once: a program killed now leaves no other name
-      with_a_name([this](const fs::path& name) { return named(name) ? 0 : -1; });
-    }
-    if (::rename(path_.c_str(), final_.c_str()) != 0) throw cannot_write(final_, errno);
-    path_.clear();
-  }
-
- private:
-  /// Makes a file under a name that does not exist yet.
-  template <typename Make>
-  int with_a_name(Make make) {
-    static std::atomic<unsigned> names = 0;
-    for (;;) {
-      path_ = final_.parent_path() / fmt::format(".coppermoon.{}-{}.tmp", ::getpid(), names++);
-      const int made = make(path_);
-      if (made >= 0) return made;
-      path_.clear();
-      if (errno != EEXIST) throw cannot_write(final_, errno);
-    }
-  }
-
-  /// Copies the permissions of the replaced file, as far as this user may.
-  void keep_permissions() const {
-    struct stat replaced {};
-    constexpr mode_t permissions = 0777;
-    if (::stat(final_.c_str(), &replaced) == 0)
-      ::fchmod(descriptor_, replaced.st_mode & permissions);
-  }
-
-  /// Whether the file, nameless until then, has this name now; false where another has it.
-  bool named(const fs::path& name) const {
-    const auto open_file = fmt::format("/proc/self/fd/{}", descriptor_);
-    return ::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
-  }
-
-  fs::path final_, path_;
-  int descriptor_ = -1;
-  std::optional<RemovalAtEnd> removal_;
-};
-
 /// Final path of a file: links resolved, folder made explicit.
 fs::path destination(const fs::path& path) {
   std::error_code failed;
-  if (path.filename().empty() || fs::is_directory(path, failed)) throw cannot_write(path, EISDIR);
+  if (path.filename().empty() || fs::is_directory(path, failed))
+    throw cannot_write(path, std::make_error_code(std::errc::is_a_directory));
   auto resolved = place_of(path, failed);
-  if (failed) throw cannot_write(path, failed.value());
+  if (failed) throw cannot_write(path, failed);
   if (fs::exists(resolved, failed) && !fs::is_regular_file(resolved, failed))
     throw algebra::Error(fmt::format("{}: cannot be written: not a regular file", path.string()));
   return resolved;
 }
 
-/// Flushes a folder, so that a rename survives a power cut; no error where the file system cannot.
-void flush_folder(const fs::path& folder) {
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  ::fsync(descriptor);
-  ::close(descriptor);
-}
-
-void write_all(int descriptor, std::string_view bytes, const fs::path& path) {
-  while (!bytes.empty()) {
-    const auto written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno != EINTR) throw cannot_write(path, errno);
-    if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-}
-
 }  // namespace
+
+algebra::Error cannot_write(const fs::path& path, std::error_code reason) {
+  return algebra::Error(fmt::format("{}: cannot be written: {}", path.string(), reason.message()));
+}
 
 fs::path place_of(const fs::path& path, std::error_code& failed) {
   constexpr int most_links = 40;  // as Linux has it
@@ -137,16 +50,16 @@ fs::path place_of(const fs::path& path, std::error_code& failed) {
   return place;
 }
 
-void write_whole(const fs::path& path, const std::function<void(int)>& fill) {
-  const auto target = destination(path);
-  TemporaryFile file(target);
-  fill(file.descriptor());
-  file.rename_to_final();
-  flush_folder(target.parent_path());
+void write_whole(const fs::path& path, const std::function<void(const Handle&)>& fill) {
+  NewFile file(destination(path));
+  fill(file.handle());
+  file.put_in_place();
 }
 
 void write_whole(const fs::path& path, std::string_view text) {
-  write_whole(path, [&](int descriptor) { write_all(descriptor, text, path); });
+  write_whole(path, [&](const Handle& file) {
+    if (const auto reason = write_at(file, 0, text)) throw cannot_write(path, reason);
+  });
 }
 
 void require_regular_file(const fs::path& path) {

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "files/handle.h"
+
 namespace coppermoon::files {
 
 /// Absolute path with all links followed, also those to what is not there yet.
@@ -18,9 +20,9 @@ std::filesystem::path place_of(const std::filesystem::path& path, std::error_cod
 /// permissions.
 ///
 /// Given   path   of a file, new or to be replaced; a symbolic link is followed
-///         fill   called with a descriptor open for writing; an exception ends the writing
+///         fill   called with the new file, open for reading and writing; an exception ends the writing
 /// Throws  Error  one line with the path: no such folder, not permitted, the disk full, a directory
-void write_whole(const std::filesystem::path& path, const std::function<void(int)>& fill);
+void write_whole(const std::filesystem::path& path, const std::function<void(const Handle&)>& fill);
 
 /// Writes a text whole or not at all.
 void write_whole(const std::filesystem::path& path, std::string_view text);

@@ -90,7 +90,9 @@ void Parameter::take(const Texts& texts) {
   Texts alike;
   for (const auto& text : texts) {
     const auto fault = respelt ? "" : fault_in(kind, text);
-    if (!fault.empty()) throw algebra::Error(fmt::format("{} = {}", name, fault));
+    if (!fault.empty()) throw UnknownWord(fmt::format("{} = {}", name, fault));
+    if (!words.empty() && !respelt) word_in(words, name, text);
+    if (kind == Kind::presence && text == "false") continue;
     alike.push_back(respelt ? respelt(text) : spelt(kind, text));
     if (const auto number = algebra::number_in(alike.back()); range && number && is_number(kind))
       algebra::require_within(title_of(*this), *number, range->low, range->high);
@@ -116,6 +118,8 @@ std::string fault_in(Kind kind, const std::string& text) {
   if (kind == Kind::natural) return fault_of<std::size_t>(text);
   if (kind == Kind::number && !algebra::number_in(text))
     return fmt::format("{}, allowed a number", text);
+  if (kind == Kind::presence && text != "true" && text != "false")
+    return fmt::format("{}, allowed true or false", text);
   return {};
 }
 

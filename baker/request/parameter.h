@@ -50,7 +50,7 @@ struct Range {
 
 using Texts = std::vector<std::string>;
 
-/// Error of a text that is none of the words allowed.
+/// Error of a text that is no value of its parameter's kind, or none of the words allowed.
 struct UnknownWord : algebra::Error {
   using algebra::Error::Error;
 };
@@ -92,7 +92,8 @@ struct Parameter {
   Affects affects = Affects::ground;
   bool planned = false;  ///< replaced by the plan's work in the recipe of what was made
   bool many = false;     ///< may be given again, and every value counts
-  bool required = false;
+  bool is_required = false;
+  Texts excluded{};  ///< names of parameters that it is refused beside
   std::shared_ptr<Parameters> parts{};  ///< of a value "name=text,name=text"; else none
   std::vector<Relation> relations{};    ///< that decide whether it has an effect
   std::optional<Texts> given{};         ///< texts that a door gave, as a recipe spells them
@@ -107,15 +108,21 @@ struct Parameter {
   /// Texts that were given, else of the field's value.
   Texts texts() const { return given ? *given : read(); }
 
+  /// Whether words of a command line without a flag are its values, as the instant.
+  bool is_positional() const {
+    return spelling.front() != '-' && spelling.find(',') != std::string::npos;
+  }
+
   /// The last of `texts`; empty: no value.
   std::string text() const;
 
   /// Whether some value stands there: given, or the field's own.
   bool has_value() const { return !texts().empty(); }
 
-  /// Takes texts of a door.
+  /// Sets the field from the texts of a flag, a recipe or a Python argument.
   ///
-  /// Throws  algebra::Error  when they are not allowed: also for a number outside the range, or none
+  /// Throws  UnknownWord     for a text that is no value of its kind, or none of the words
+  ///         algebra::Error  for one that is not allowed: also for a number outside the range
   void take(const Texts& texts);
 
   /// Forgets what was given.
@@ -125,7 +132,22 @@ struct Parameter {
   Parameter& of(Affects what) { return affects = what, *this; }
   Parameter& within(double low, double high) { return range = Range{low, high}, *this; }
   Parameter& replaced_by_plan() { return planned = true, *this; }
-  Parameter& each_time() { return many = true, *this; }
+  Parameter& one_of(Texts allowed) {
+    return kind = Kind::word, words = std::move(allowed), *this;
+  }
+  Parameter& required() { return is_required = true, *this; }
+  Parameter& excludes(std::string other) {
+    return excluded.push_back(std::move(other)), *this;
+  }
+  Parameter& reads_file() { return as(Kind::file_read); }
+  Parameter& writes_file() { return as(Kind::file_written).of(Affects::run); }
+  /// Names a file that is written, in one of the formats of a table.
+  template <class Formats>
+  Parameter& writes_file(const Formats& formats) {
+    for (const auto& format : formats) endings.emplace_back(format.ending, format.help);
+    return writes_file();
+  }
+  Parameter& writes_folder() { return as(Kind::folder_written).of(Affects::run); }
   Parameter& as(Kind what) { return kind = what, *this; }
   Parameter& spelt_by(std::function<std::string(const std::string&)> how) {
     return respelt = std::move(how), *this;

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 
+#include "files/handle.h"
+
 namespace coppermoon::texture {
 
 /// The attribute of an OpenEXR file that holds the fingerprint of its bytes, as 16 hexadecimal digits;
@@ -12,10 +14,10 @@ inline constexpr const char *seal_attribute = "coppermoon:fingerprint",
 
 /// Puts the fingerprint of a whole file into its header, where `unsealed` stands.
 ///
-/// Given   descriptor  open for reading and writing
-///         path        for the error's text
-/// Throws  Error       when it cannot be read or written
-void seal(int descriptor, const std::filesystem::path& path);
+/// Given   file   open for reading and writing
+///         path   for the error's text
+/// Throws  Error  when it cannot be read or written
+void seal(const files::Handle& file, const std::filesystem::path& path);
 
 /// Whether an OpenEXR file is, byte by byte, as it was sealed: half floats packed by PIZ have no
 /// check of their own.

@@ -2,7 +2,6 @@
 #include "texture/write_dng.h"
 
 #include <tiffio.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -46,14 +45,12 @@ int pass_over(TIFF*, void*, const char*, const char*, std::va_list) { return 1; 
 /// A TIFF file that is being written.
 class TiffFile {
  public:
-  explicit TiffFile(int descriptor) {
+  explicit TiffFile(const files::Handle& file) {
     const std::unique_ptr<TIFFOpenOptions, void (*)(TIFFOpenOptions*)> options(
         TIFFOpenOptionsAlloc(), &TIFFOpenOptionsFree);
     TIFFOpenOptionsSetErrorHandlerExtR(options.get(), keep_words, &words_);
     TIFFOpenOptionsSetWarningHandlerExtR(options.get(), pass_over, nullptr);
-    const int own = ::dup(descriptor);
-    file_.reset(own < 0 ? nullptr : TIFFFdOpenExt(own, "raw photograph", "wl", options.get()));
-    if (!file_ && own >= 0) ::close(own);
+    file_.reset(TIFFOpenExt(files::name_of(file).c_str(), "wl", options.get()));
     require(file_ != nullptr);
   }
 
@@ -171,8 +168,8 @@ std::uint64_t exif_directory(TiffFile& file, const RawPhotograph& photograph,
   return place;
 }
 
-void write(int descriptor, const RawPhotograph& photograph, const Attributes& attributes) {
-  TiffFile file(descriptor);
+void write(const files::Handle& to, const RawPhotograph& photograph, const Attributes& attributes) {
+  TiffFile file(to);
   set_layout(file, photograph);
   set_camera(file, photograph);
   if (const auto date = text_of(attributes, "capDate"); !date.empty())
@@ -194,9 +191,9 @@ void write(int descriptor, const RawPhotograph& photograph, const Attributes& at
 void write_dng(const std::filesystem::path& path, const RawPhotograph& photograph,
                const Attributes& attributes) {
   require_sound(photograph);
-  files::write_whole(path, [&](int descriptor) {
+  files::write_whole(path, [&](const files::Handle& file) {
     try {
-      write(descriptor, photograph, attributes);
+      write(file, photograph, attributes);
     } catch (const Error& error) {
       throw Error(fmt::format("{}: cannot be written: {}", path.string(), error.what()));
     }

@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "algebra/error.h"
-#include "files/folder_lock.h"
+#include "files/lock.h"
 #include "files/own_file.h"
 #include "files/whole_file.h"
 #include "texture/own_image.h"
@@ -92,7 +92,7 @@ void write_stellarium(const fs::path& folder, const Layout& layout, const Rows& 
   std::error_code ignored;
   const bool made = !fs::exists(folder, ignored);
   make_folder(folder);
-  const files::FolderLock alone(folder);
+  const auto alone = files::lock_folder(folder);
   require_stellarium_place(folder);
   try {
     for (const char* part : {"textures", "data/shaders", "scripts"}) make_folder(folder / part);

@@ -13,14 +13,13 @@
 #include "almanac/gazetteer.h"
 #include "eclipse/contacts.h"
 #include "eclipse/feature.h"
-#include "uses/light/photometric_bands.h"
+#include "uses/light/photometer.h"
 #include "uses/night/calendar_file.h"
 #include "uses/night/eclipse_light.h"
 #include "uses/picture/brightness.h"
 #include "uses/picture/place_text.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/moments.h"
-#include "verbs/recipes/recipe.h"
 #include "verbs/reports/report.h"
 #include "verbs/reports/writers.h"
 
@@ -282,37 +281,36 @@ void run(const Options& options) {
 }  // namespace
 }  // namespace of_almanac
 
-void add_almanac(CLI::App& program) {
+void add_almanac(Program& program) {
   using namespace of_almanac;
-  auto* verb = add_verb(program, "almanac", "lists eclipses: type, gamma, magnitudes, contacts");
+  auto& verb = add_verb(program, "almanac", "lists eclipses: type, gamma, magnitudes, contacts");
   const auto options = std::make_shared<Options>();
-  add_flag(*verb, "--from", options->from, "first day, as 2026-01-01; default: today");
-  add_flag(*verb, "--to", options->to, "last day; default: ten years from today");
-  add_flag(*verb, "year,--year", options->year, "year, as 2026, -1999 to 3000: all of it")
+  add_flag(verb, "--from", options->from, "first day, as 2026-01-01; default: today");
+  add_flag(verb, "--to", options->to, "last day; default: ten years from today");
+  add_flag(verb, "year,--year", options->year, "year, as 2026, -1999 to 3000: all of it")
       .within(-1999, 3000)
-      .excludes("--from")
-      .excludes("--to");
-  add_calendar_option(*verb, options->calendar);
+      .excludes("from")
+      .excludes("to");
+  add_calendar_option(verb, options->calendar);
   add_flag(
-      *verb, "--at", options->at,
+      verb, "--at", options->at,
       "place of an observer: a city, as Honolulu, or LAT,LON [degrees north and east]; adds from "
       "which contact to which the Moon is seen: it is up and stands out from its sky");
-  add_flag(*verb, "--shadow-convention", options->convention,
+  add_flag(verb, "--shadow-convention", options->convention,
            "how the air enlarges the shadow: danjon, danjon-oblate, chauvenet or "
            "herald-sinnott")
       .one_of({"danjon", "danjon-oblate", "chauvenet", "herald-sinnott"});
   add_flag(
-      *verb, "--feature", options->feature,
+      verb, "--feature", options->feature,
       "place on the Moon: a feature's name, as Tycho, or LAT,LON [degrees north and east]; adds "
       "when the umbra's edge (danjon-oblate) crosses it, whether or not it is seen");
-  add_switch(*verb, "--brightness", options->brightness,
+  add_switch(verb, "--brightness", options->brightness,
              "adds the V magnitude of the whole Moon at greatest eclipse in the air of its month, "
              "with the standard error of a total eclipse, and Danjon's L by V");
-  add_outputs(*verb, options->outputs, writers());
-  add_run_switch(*verb, "--csv", options->csv, "prints the eclipses as CSV");
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document").not_beside({{"csv"}});
-  add_recipe_option(*verb);
-  on_run(*verb, [options] { run(*options); });
+  add_outputs(verb, options->outputs, writers());
+  add_run_switch(verb, "--csv", options->csv, "prints the eclipses as CSV");
+  add_run_switch(verb, "--json", options->json, "prints one JSON document").not_beside({{"csv"}});
+  on_run(verb, [options] { run(*options); });
 }
 
 }  // namespace coppermoon::verbs

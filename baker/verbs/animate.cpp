@@ -11,24 +11,22 @@
 #include "algebra/error.h"
 #include "files/whole_file.h"
 #include "povray_scenes/scene.h"
-#include "request/recipe.h"
 #include "uses/film/film.h"
 #include "uses/film/film_files.h"
 #include "uses/film/film_folder.h"
+#include "uses/film/film_frames.h"
 #include "uses/film/film_light.h"
 #include "uses/film/film_scene.h"
 #include "uses/film/film_setup.h"
-#include "uses/film/fixed_view.h"
-#include "uses/film/frame_range.h"
-#include "uses/film/make_film.h"
+#include "uses/film/film_times.h"
 #include "uses/light/spectral_bands.h"
 #include "uses/night/eclipse_light.h"
 #include "uses/picture/picture_parameters.h"
+#include "uses/picture/texture_recipe.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/camera_options.h"
 #include "verbs/flags/film_options.h"
 #include "verbs/flags/moon_options.h"
-#include "verbs/recipes/recipe.h"
 #include "verbs/reports/film_job.h"
 #include "verbs/reports/film_progress.h"
 #include "verbs/reports/in_words.h"
@@ -48,7 +46,7 @@ struct Options {
   bool json = false, replace = false, dry_run = false;
 };
 
-uses::Film film_of(CLI::App& verb, const Options& options) {
+uses::Film film_of(Verb& verb, const Options& options) {
   uses::Film film;
   film.folder = options.output;
   film.products = products_of(options.film);
@@ -56,7 +54,7 @@ uses::Film film_of(CLI::App& verb, const Options& options) {
   film.fps = options.film.fps;
   film.scene = options.film.scene;
   auto times = times_of(options.film, options.view);
-  if (!film.products.light_alone()) keep_to_the_moon(times, parameters_of(verb), options.view);
+  if (!film.products.light_alone()) keep_to_the_moon(times, verb.parameters, options.view);
   film.moments = moments_of(times);
   film.moon = moon_request(options.moon);
   film.view = options.view;
@@ -94,7 +92,7 @@ void trace(const uses::Film& film, const uses::Shard& shard) {
   trace_shard(film, shard, bar.progress());
 }
 
-void write_job(const CLI::App& verb, const uses::Film& film, const uses::Shard& shard,
+void write_job(const Verb& verb, const uses::Film& film, const uses::Shard& shard,
                const std::filesystem::path& file) {
   if (file.extension() != ".yaml")
     throw algebra::Error(fmt::format("{}: a job ends in .yaml", file.string()));
@@ -150,7 +148,7 @@ void list(uses::Film film, const std::vector<std::size_t>& frames, const uses::F
   for (const auto& file : files.all()) progress.file(file);
 }
 
-void run(CLI::App& verb, const Options& options) {
+void run(Verb& verb, const Options& options) {
   auto film = film_of(verb, options);
   const bool light_alone = film.products.light_alone();
   const auto shard = uses::shard_from(options.film.shard);
@@ -158,8 +156,8 @@ void run(CLI::App& verb, const Options& options) {
       uses::frames_in(options.film.range, film.moments.frames.size(), film.moments.first_frame),
       shard);
   set_up(film, mounting_of(options.film, film.view.observer.has_value()), frames);
-  film.record = uses::film_record(parameters_of(verb),
-                                  request::with_width(recipe_of(verb), *film.moon.texture_width));
+  film.record.recipe =
+      uses::with_width(request::recipe_of(verb.parameters), *film.moon.texture_width);
   film.record.map_contents = map_contents(film.moon);
   film.record.view_contents = fingerprint(film.development, space_of(film.content));
   film.record.map_contents += uses::scene_contents(film.scene);
@@ -197,41 +195,40 @@ void run(CLI::App& verb, const Options& options) {
 }  // namespace
 }  // namespace of_animate
 
-void add_animate(CLI::App& program) {
+void add_animate(Program& program) {
   using namespace of_animate;
-  auto* verb = add_verb(program, "animate",
+  auto& verb = add_verb(program, "animate",
                         "makes a film of an eclipse: textures, scenes, frames, pictures; goes on "
                         "where it was stopped");
   const auto options = std::make_shared<Options>();
-  add_film_moon_options(*verb, options->moon);
-  add_film_options(*verb, options->film);
-  add_described(*verb, options->content);
-  add_described(*verb, options->view);
-  add_described(*verb, options->time, uses::describe_time);
-  add_described(*verb, options->development, uses::describe_but_time);
-  add_described(*verb, options->development.caption, uses::describe_caption);
-  add_described(*verb, options->development.camera);
+  add_film_moon_options(verb, options->moon);
+  add_film_options(verb, options->film);
+  add_described(verb, options->content);
+  add_described(verb, options->view);
+  add_described(verb, options->time, uses::describe_time);
+  add_described(verb, options->development, uses::describe_but_time);
+  add_described(verb, options->development.caption, uses::describe_caption);
+  add_described(verb, options->development.camera);
   for (const char* of_our_camera :
        {"field", "focal-length", "sensor-width", "up", "mount", "aim", "passes"})
-    parameters_of(*verb).find(of_our_camera)->not_beside({{"scene"}});
-  add_flag(*verb, "-o,--output", options->output, "folder for what is made")
+    verb.parameters.find(of_our_camera)->not_beside({{"scene"}});
+  add_flag(verb, "-o,--output", options->output, "folder for what is made")
       .writes_folder()
       .required();
   add_run_switch(
-      *verb, "--replace", options->replace,
+      verb, "--replace", options->replace,
       "overwrites another film in the folder; linear frames that differ only in exposure are "
       "kept and developed again");
-  add_flag(*verb, "--job", options->job,
+  add_flag(verb, "--job", options->job,
            "writes a job for a render farm, .yaml, and makes no film: a template of Open Job "
            "Description, with a task for each shard, then one for what needs every frame")
       .writes_file();
-  add_run_switch(*verb, "--dry-run", options->dry_run,
+  add_run_switch(verb, "--dry-run", options->dry_run,
                  "lists the files that would be written, and writes none; without the film's light "
                  "those of every frame")
-      .excludes("--job");
-  add_run_switch(*verb, "--json", options->json, "prints one JSON event per line");
-  add_recipe_option(*verb);
-  on_run(*verb, [verb, options] { run(*verb, *options); });
+      .excludes("job");
+  add_run_switch(verb, "--json", options->json, "prints one JSON event per line");
+  on_run(verb, [&verb, options] { run(verb, *options); });
 }
 
 }  // namespace coppermoon::verbs

@@ -8,9 +8,9 @@
 #include "files/cache_folder.h"
 #include "files/endings.h"
 #include "files/fingerprint.h"
+#include "files/lock.h"
 #include "files/memory.h"
 #include "files/whole_file.h"
-#include "request/recipe.h"
 #include "texture/images_ahead.h"
 #include "texture/own_image.h"
 #include "texture/seal.h"
@@ -21,17 +21,16 @@
 #include "texture/write_usda.h"
 #include "texture/write_usdz.h"
 #include "uses/light/header.h"
-#include "uses/light/light_parameters.h"
 #include "uses/picture/baked_moon.h"
+#include "uses/picture/lit_scene.h"
 #include "uses/picture/picture_parameters.h"
 #include "uses/picture/pixels.h"
-#include "uses/picture/usd_sight.h"
+#include "uses/picture/texture_recipe.h"
 #include "uses/picture/view.h"
 #include "verbs/cache.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/moon_options.h"
 #include "verbs/flags/named_files.h"
-#include "verbs/recipes/recipe.h"
 #include "verbs/reports/progress_bar.h"
 #include "verbs/reports/report.h"
 
@@ -246,13 +245,16 @@ void require_sound(const Options& options, const std::vector<Output>& outputs) {
 }
 
 /// Recipe of one output: its own colour space, and passes or spectra only where it has some.
-std::string recipe_for(const uses::TextureContent& content, const std::string& recipe) {
-  const std::string space(colour::name(space_of(content)));
-  return fmt::format("space = \"{}\"\n", space) +
-         request::without(recipe, [&](const std::string& flag) {
-           return flag == "space" || (flag == "passes" && !content.passes) ||
-                  (flag == "spectral" && !content.spectral_nm);
-         });
+request::Recipe recipe_for(const uses::TextureContent& content, const request::Recipe& recipe) {
+  auto own = with({{.name = "space",
+                    .texts = {fmt::format("\"{}\"", colour::name(space_of(content)))},
+                    .bare = true}},
+                  recipe);
+  std::erase_if(own, [&](const request::Setting& setting) {
+    return (setting.name == "passes" && !content.passes) ||
+           (setting.name == "spectral" && !content.spectral_nm);
+  });
+  return own;
 }
 
 void write_usda(const Job& job) {
@@ -286,20 +288,21 @@ uses::LitMoon lit_moon(const Options& options, const uses::MoonRequest& request)
 }
 
 /// Bakes every output, each with its recipe.
-Report make(const CLI::App& verb, const Options& options, const std::vector<Output>& outputs) {
+Report make(const Verb& verb, const Options& options, const std::vector<Output>& outputs) {
   const auto start = std::chrono::steady_clock::now();
   const auto request = moon_request(options.moon);
   const auto moon = lit_moon(options, request);
   const auto& light = *moon.light;
-  const auto recipe =
-      request.unshadowed ? recipe_of(verb) : uses::with_work(recipe_of(verb), light.plan.work);
+  const auto recipe = recipe_made(request::recipe_of(verb.parameters), moon);
   Report made{{}, {}, 0, light.error_found, light.plan};
   for (const auto& output : outputs) {
     made.files.push_back(output.path.string());
     ProgressBar bar("bake");
-    auto baked = uses::baked(moon, output.content, {.progress = bar.progress()});
-    made.recipe = recipe_for(output.content, recipe);
-    baked.attributes["coppermoon:recipe"] = made.recipe;
+    made.recipe = text_of(recipe_for(output.content, recipe));
+    const auto baked =
+        uses::baked(moon, output.content,
+                    {.progress = bar.progress(),
+                     .recipe = [&](const auto&, const auto&) { return made.recipe; }});
     output.format.write({options, outputs, output, moon, baked});
   }
   made.seconds = seconds_since(start);
@@ -307,7 +310,7 @@ Report make(const CLI::App& verb, const Options& options, const std::vector<Outp
 }
 
 /// Kept texture of these options: its file name is a fingerprint of all that it depends on.
-Output place_in_cache(const CLI::App& verb, const Options& options) {
+Output place_in_cache(const Verb& verb, const Options& options) {
   const auto depends_on = fmt::format("{}\n{}\n{}", uses::version(), recipe_of(verb),
                                       map_contents(moon_request(options.moon)));
   auto content = options.texture;
@@ -325,7 +328,7 @@ bool is_kept(const std::filesystem::path& texture) {
 
 /// Prints the path of the kept texture; the first process bakes it, others wait. The map is read before the lock is
 /// taken: reading it may bake another texture of that folder.
-void run_with_cache(const CLI::App& verb, const Options& options) {
+void run_with_cache(const Verb& verb, const Options& options) {
   require_sound(options.texture);
   files::make_private_folder(options.cache);
   std::optional<double>
@@ -333,7 +336,7 @@ void run_with_cache(const CLI::App& verb, const Options& options) {
   if (files::is_usual_cache(options.cache)) limit_gb = cache_limit_gb();
   const auto output = place_in_cache(verb, options);
   if (!is_kept(output.path)) {
-    const files::FileLock lock(output.path, [&] {
+    const auto lock = files::lock_file(output.path, [&] {
       fmt::print(stderr, "coppermoon: waiting for another process, which bakes {}\n",
                  output.path.string());
     });
@@ -347,7 +350,7 @@ void run_with_cache(const CLI::App& verb, const Options& options) {
   fmt::print("{}\n", output.path.string());
 }
 
-void run(const CLI::App& verb, const Options& options) {
+void run(const Verb& verb, const Options& options) {
   if (options.outputs.empty() == options.cache.empty())
     throw WrongUsage(options.cache.empty() ? "--output: missing"
                                            : "--output and --cache: allowed one of the two");
@@ -365,38 +368,36 @@ void run(const CLI::App& verb, const Options& options) {
 }  // namespace
 }  // namespace of_bake
 
-void add_bake(CLI::App& program) {
+void add_bake(Program& program) {
   using namespace of_bake;
-  auto* verb = add_verb(program, "bake",
+  auto& verb = add_verb(program, "bake",
                         "bakes the lit texture of the Moon: plate carrée, scene-linear, cd/m²");
   const auto options = std::make_shared<Options>();
   options->develop.bits = 16;
-  add_moon_options(*verb, options->moon);
+  add_moon_options(verb, options->moon);
   add_flag(
-      *verb, "-o,--output", options->outputs,
+      verb, "-o,--output", options->outputs,
       "texture: " + files::in_words(formats) + ". May be given again: one simulation serves all")
-      .writes_file(formats)
-      .kept_each_time();
+      .writes_file(formats);
   add_flag(
-      *verb, "--cache", options->cache,
+      verb, "--cache", options->cache,
       "folder of textures: the texture is baked into it as .tx, unless it is there already, and "
       "its path is printed")
       .writes_folder()
-      .excludes("--shard")  // what is traced, and what is written, depends on them
-      .excludes("--keep")
-      .excludes("--add");
-  add_described(*verb, options->view, uses::describe_observer);
-  add_described(*verb, options->texture);
-  add_described(*verb, options->moon.request.response, uses::describe_response);
-  add_described(*verb, options->develop);
-  for (auto& parameter : parameters_of(*verb))
+      .excludes("shard")  // what is traced, and what is written, depends on them
+      .excludes("keep")
+      .excludes("add");
+  add_described(verb, options->view, uses::describe_observer);
+  add_described(verb, options->texture);
+  add_described(verb, options->moon.request.response, uses::describe_response);
+  add_described(verb, options->develop);
+  for (auto& parameter : verb.parameters)
     if (parameter.affects == request::Affects::picture)
       parameter.only_with({{"output", {".png", ".glb", ".usdz", ".stellarium"}}});
-  parameters_of(*verb).find("type")->only_with({{"output", {".exr", ".tx", ".usda"}}, {"cache"}});
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document")
+  verb.parameters.find("type")->only_with({{"output", {".exr", ".tx", ".usda"}}, {"cache"}});
+  add_run_switch(verb, "--json", options->json, "prints one JSON document")
       .not_beside({{"cache"}});
-  add_recipe_option(*verb);
-  on_run(*verb, [verb, options] { run(*verb, *options); });
+  on_run(verb, [&verb, options] { run(verb, *options); });
 }
 
 }  // namespace coppermoon::verbs

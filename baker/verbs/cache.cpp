@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdlib>
 #include <memory>
@@ -13,6 +12,7 @@
 #include "algebra/error.h"
 #include "algebra/number.h"
 #include "files/cache_folder.h"
+#include "files/environment.h"
 #include "texture/read_image.h"
 #include "verbs/command_line.h"
 #include "verbs/reports/one_line.h"
@@ -118,8 +118,8 @@ void run(const Options& options) {
 }  // namespace of_cache
 
 double cache_limit_gb() {
-  const char* const text = std::getenv("COPPERMOON_CACHE_LIMIT");
-  if (text == nullptr || *text == '\0') return 20;
+  const auto text = files::variable("COPPERMOON_CACHE_LIMIT");
+  if (text.empty()) return 20;
   const auto number = algebra::number_in(text);
   if (!number || !(*number >= 0))
     throw algebra::Error(fmt::format(
@@ -131,27 +131,27 @@ std::filesystem::file_time_type a_day_ago() {
   return std::filesystem::file_time_type::clock::now() - std::chrono::hours(24);
 }
 
-void add_cache(CLI::App& program) {
+void add_cache(Program& program) {
   using namespace of_cache;
-  auto* verb = add_verb(program, "cache",
+  auto& verb = add_verb(program, "cache",
                         "lists or removes the textures that programs and Blender have kept");
   const auto options = std::make_shared<Options>();
-  add_run_switch(*verb, "--list", options->list,
+  add_run_switch(verb, "--list", options->list,
                  "lists the textures, those used last first: size, days since the last use, "
                  "moment (default)");
-  add_run_switch(*verb, "--clean", options->clean,
+  add_run_switch(verb, "--clean", options->clean,
                  "removes textures, those used longest ago first, down to the limit")
-      .excludes("--list");
-  add_flag(*verb, "--limit", options->limit_gb,
+      .excludes("list");
+  add_flag(verb, "--limit", options->limit_gb,
            "size that --clean leaves [GB], 0 to 1000000; default: the variable "
            "COPPERMOON_CACHE_LIMIT, or 20")
       .within(0, 1e6);
-  add_flag(*verb, "--folder", options->folder,
+  add_flag(verb, "--folder", options->folder,
            "folder of kept textures; default: the variable COPPERMOON_CACHE, or coppermoon in the "
            "user's folder of caches")
       .writes_folder();
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
-  on_run(*verb, [options] { run(*options); });
+  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  verb.run = [options] { run(*options); };
 }
 
 }  // namespace coppermoon::verbs

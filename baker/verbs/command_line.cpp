@@ -2,83 +2,254 @@
 #include "verbs/command_line.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <tbb/global_control.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <optional>
+#include <string_view>
 
+#include "algebra/error.h"
+#include "eclipse/moment.h"
 #include "uses/light/header.h"
+#include "verbs/flags/help.h"
 #include "verbs/flags/known_words.h"
 #include "verbs/flags/moments.h"
-#include "verbs/flags/verb.h"
-#include "verbs/recipes/recipe.h"
+#include "verbs/flags/named_files.h"
+#include "verbs/recipes/recipe_file.h"
 #include "verbs/reports/one_line.h"
+#include "verbs/reports/progress_bar.h"
 
 namespace coppermoon::verbs {
+namespace {
 
-void add_words(CLI::App& program) {
-  program.option_defaults()->always_capture_default()->multi_option_policy(
-      CLI::MultiOptionPolicy::TakeLast);
-  program.require_subcommand(1);
-  program.set_version_flag("--version", fmt::format("coppermoon {}", uses::version()));
+using request::Kind, request::Parameter, request::Texts;
+using Words = std::vector<std::string>;
+
+/// Parameter, and the texts that a command line gives it.
+struct Typed {
+  Parameter* parameter;
+  Texts texts;
+};
+
+/// A command line that is being read, word by word.
+struct Line {
+  Verb& verb;
+  const Words& words;
+  std::size_t next = 0;
+  std::vector<Typed> typed{};
+  Words unexpected{};
+
+  bool at_end() const { return next == words.size(); }
+
+  Texts& texts_of(Parameter& parameter) {
+    const auto known = std::ranges::find(typed, &parameter, &Typed::parameter);
+    return (known == typed.end() ? typed.emplace_back(Typed{&parameter, {}}) : *known).texts;
+  }
+  /// The next word; a day with the contact or time behind it, "2018-07-27" and "U2+10min", are one.
+  std::string value() {
+    auto value = words[next++];
+    if (!at_end() && eclipse::is_day(value) && eclipse::is_contact_or_time(words[next]))
+      value += " " + words[next++];
+    return value;
+  }
+};
+
+/// Whether a word is "-o" or "--output"; a number below 0 is none.
+bool is_flag(const std::string& word) {
+  return word.size() > 1 && word[0] == '-' && word.find_first_of("0123456789.", 1) != 1;
+}
+
+WrongUsage unknown_short(const Verb& verb, const std::string& name) {
+  std::vector<std::string> flags;
+  for (const auto& parameter : verb.parameters)
+    if (is_written(parameter.kind)) flags.push_back("--" + parameter.name);
+  if (name != "-o") return WrongUsage(fmt::format("{}: unexpected argument", name));
+  return WrongUsage(fmt::format("-o: unknown option of {}; {}", verb.name,
+                                flags.empty() ? "it prints its results"
+                                              : fmt::format("files are named by {}",
+                                                            fmt::join(flags, ", "))));
+}
+
+/// Advice that ends the error of an unknown flag.
+std::string way_out_for(const std::string& flag, const Verb& verb) {
+  if (flag == "verbose" || flag == "progress")
+    return "; progress is shown wherever the output is a terminal";
+  if (flag == "quiet") return "; 2>/dev/null hides what is said beside the results";
+  const auto suggestion = flag_suggested_for(flag, names_of(verb));
+  return suggestion.empty() ? fmt::format("; `coppermoon {} --help-all` lists them", verb.name)
+                            : suggestion;
+}
+
+WrongUsage unknown(const Verb& verb, const std::string& flag) {
+  if (!flag.starts_with("--")) return unknown_short(verb, flag);
+  const auto way_out = way_out_for(flag.substr(2), verb);
+  return WrongUsage(fmt::format("{}: unknown option of {}{}", flag, verb.name, way_out));
+}
+
+/// Reads "--output FILE", "--output=FILE", "-o FILE", "-oFILE" or "--json".
+void read_flag(Line& line) {
+  const auto word = line.words[line.next++];
+  const bool is_long = word.starts_with("--");
+  const auto end = is_long ? std::min(word.find('='), word.size()) : 2;
+  const auto flag = word.substr(0, end);
+  auto* parameter = flag_of(line.verb, is_long ? flag.substr(2) : flag);
+  if (parameter == nullptr) throw unknown(line.verb, flag);
+  auto& texts = line.texts_of(*parameter);
+  const bool has_sign = end < word.size() && word[end] == '=';
+  if (has_sign && end + 1 == word.size())  // else the next word would be taken
+    throw WrongUsage(fmt::format("{}: a value is missing behind the =", flag));
+  if (end < word.size()) return texts.push_back(word.substr(has_sign ? end + 1 : end));
+  if (parameter->kind == Kind::presence) return texts.push_back("true");
+  if (line.at_end()) throw WrongUsage(fmt::format("--{}: a value is missing", parameter->name));
+  texts.push_back(line.value());
+  while (parameter->many && parameter->is_positional() && !line.at_end() &&
+         !is_flag(line.words[line.next]))
+    texts.push_back(line.value());
+}
+
+/// Reads the value of a parameter whose flag may be left out, as the instant.
+void read_positional(Line& line) {
+  auto value = line.value();
+  for (auto& parameter : line.verb.parameters)
+    if (parameter.is_positional())
+      if (auto& texts = line.texts_of(parameter); texts.empty() || parameter.many)
+        return texts.push_back(std::move(value));
+  line.unexpected.push_back(std::move(value));
+}
+
+Line line_of(Verb& verb, const Words& words) {
+  Line line{verb, words};
+  for (bool flags = true; !line.at_end();)
+    if (flags && words[line.next] == "--")
+      flags = false, ++line.next;
+    else if (flags && is_flag(words[line.next]))
+      read_flag(line);
+    else
+      read_positional(line);
+  std::erase_if(line.typed, [](const Typed& one) { return one.texts.empty(); });
+  return line;
+}
+
+/// Moves a file of coppermoon's own, in the place of the moment, to --recipe.
+void find_recipe(Line& line) {
+  auto* recipe = line.verb.parameters.find("recipe");
+  if (recipe == nullptr) return;
+  auto& named = line.texts_of(*recipe);
+  if (named.size() > 1) throw WrongUsage("--recipe: given twice, allowed once");
+  for (auto& [parameter, texts] : line.typed)
+    if (parameter->is_positional() && (parameter->name == "instant" || parameter->name == "eclipse"))
+      if (named.empty() && !texts.empty() && holds_recipe(texts.front())) named.swap(texts);
+  std::erase_if(line.typed, [](const Typed& one) { return one.texts.empty(); });
+}
+
+void take(const Typed& typed) {
+  auto texts = typed.texts;
+  if (!typed.parameter->many) texts = {texts.back()};
+  try {
+    typed.parameter->take(texts);
+  } catch (const request::UnknownWord& error) {
+    throw WrongUsage(fmt::format("--{}", error.what()));
+  }
+}
+
+/// Whether a line asks for help, which is all that is then taken of it.
+bool asks_for_help(const Line& line) {
+  bool help = false;
+  for (const auto& one : line.typed)
+    if (one.parameter->name.starts_with("help")) take(one), help = true;
+  return help;
+}
+
+/// Error message for a missing value; a moment goes by its name in the help.
+std::string missing(const std::string& name) {
+  if (name == "instant") return "INSTANT: missing; a moment is needed, as 2026-03-03";
+  if (name == "eclipse") return "ECLIPSE: missing; a day is needed, as 2026-03-03";
+  return fmt::format("--{}: missing", name);
+}
+
+void require_complete(const Verb& verb) {
+  for (const auto& parameter : verb.parameters)
+    if (parameter.is_required && !parameter.given) throw WrongUsage(missing(parameter.name));
+  const auto excludes = [](const Parameter& one, const Parameter& other) {
+    return std::ranges::count(one.excluded, other.name) > 0;
+  };
+  for (auto one = verb.parameters.begin(); one != verb.parameters.end(); ++one)
+    for (auto other = one + 1; other != verb.parameters.end(); ++other)
+      if (one->given && other->given && (excludes(*one, *other) || excludes(*other, *one)))
+        throw WrongUsage(
+            fmt::format("--{} and --{}: allowed one of the two", one->name, other->name));
+}
+
+Words names_of(const Program& program) {
+  Words names;
+  for (const auto& verb : program.verbs) names.push_back(verb.name);
+  return names;
+}
+
+Verb& verb_named(Program& program, const std::string& name) {
+  if (auto* verb = find_verb(program, name)) return *verb;
+  const auto suggestion = verb_suggested_for(name, names_of(program));
+  throw WrongUsage(
+      fmt::format("{}: unknown command{}", name,
+                  suggestion.empty() ? "; `coppermoon --help` lists the commands" : suggestion));
+}
+
+}  // namespace
+
+void add_verbs(Program& program) {
   for (const auto add :
        {add_almanac, add_night, add_explore, add_sky,    add_plan,     add_shadow,   add_brightness,
         add_bake,    add_ring,  add_dome,    add_shader, add_scene,    add_still,    add_animate,
         add_develop, add_merge, add_compare, add_fit,    add_tradeoff, add_describe, add_cache})
     add(program);
-  program.set_help_flag("-h,--help", "lists the commands");
-  program.set_help_all_flag("--help-all", "lists the commands");
-  for (auto* verb : program.get_subcommands({})) {
-    verb->set_help_flag("-h,--help", "explains the command, with its common options");
-    verb->set_help_all_flag("--help-all", "explains the command, with all its options");
-  }
 }
 
-void add_threads(CLI::App& program, std::unique_ptr<tbb::global_control>& control) {
-  for (auto* verb : program.get_subcommands({}))
-    verb->add_option_function<int>(
-            "--threads",
-            [&control](int threads) {
-              if (threads > 0)
-                control = std::make_unique<tbb::global_control>(
-                    tbb::global_control::max_allowed_parallelism,
-                    static_cast<std::size_t>(threads));
-            },
-            "number of threads; 0: one for each processor")
-        ->check(CLI::Range(0, 512));
+void take(Verb& verb, const Words& words) {
+  auto line = line_of(verb, words);
+  if (asks_for_help(line)) return;
+  find_recipe(line);
+  verb.typed.clear();
+  for (const auto& one : line.typed) verb.typed.push_back(one.parameter->name);
+  for (const auto& one : line.typed)
+    if (one.parameter->name == "recipe") take_recipe(verb, one.texts.front());
+  for (const auto& one : line.typed) take(one);
+  require_complete(verb);
+  if (!line.unexpected.empty())
+    throw WrongUsage(fmt::format("{}: unexpected argument{}", fmt::join(line.unexpected, " "),
+                                 line.unexpected.size() > 1 ? "s" : ""));
 }
 
-namespace {
-
-/// "help still" as "still --help", "version" as "--version".
-std::vector<std::string> with_words_as_flags(std::vector<std::string> arguments) {
-  const auto word = arguments.empty() ? "" : arguments.front();
-  if (word != "help" && word != "version") return arguments;
-  arguments.erase(arguments.begin());
-  arguments.push_back("--" + word);
-  return arguments;
+Asked asked_by(Program& program, Words words) {
+  for (const auto& word : words)
+    if (!is_utf8(word)) throw WrongUsage(fmt::format("argument '{}', allowed is UTF-8", word));
+  if (words.empty())
+    throw WrongUsage(fmt::format("a command is required: {}; `coppermoon --help` explains them",
+                                 fmt::join(names_of(program), ", ")));
+  const auto first = words.front();
+  if (first == "version" || first == "--version")
+    return {nullptr, fmt::format("coppermoon {}\n", uses::version())};
+  const bool all = first == "--help-all", help = all || first == "help" || first == "--help" || first == "-h";
+  if (help) words.erase(words.begin());
+  if (help && words.empty()) return {nullptr, program_help(program)};
+  auto& verb = verb_named(program, words.front());
+  words.erase(words.begin());
+  if (help) words.insert(words.begin(), all ? "--help-all" : "--help");
+  take(verb, words);
+  if (program.help_all) return {&verb, full_help(verb)};
+  return {&verb, program.help ? short_help(verb) : ""};
 }
 
-std::vector<std::string> flags_named_in(const std::vector<std::string>& arguments) {
-  std::vector<std::string> names;
-  for (const auto& argument : arguments)
-    if (argument.starts_with("--")) names.push_back(argument.substr(2, argument.find('=') - 2));
-  return names;
-}
-
-}  // namespace
-
-void run(CLI::App& program, const std::vector<std::string>& typed) {
-  for (const auto& argument : typed)
-    if (!is_utf8(argument))
-      throw WrongUsage(fmt::format("argument '{}', allowed is UTF-8", argument));
-  const auto arguments = with_moments_joined(with_words_as_flags(typed));
-  for (auto* verb : program.get_subcommands({}))
-    dynamic_cast<Verb&>(*verb).typed = flags_named_in(arguments);
-  auto all = with_recipes(program, arguments);
-  if (const auto recipe = recipe_named_in(program, arguments); !recipe.empty())
-    all.push_back("--recipe=" + recipe);  // a file like others that are read
-  std::reverse(all.begin(), all.end());   // as CLI11 takes them
-  program.parse(std::move(all));
+void run(Verb& verb) {
+  std::optional<tbb::global_control> threads;
+  if (verb.program->threads > 0)
+    threads.emplace(tbb::global_control::max_allowed_parallelism, verb.program->threads);
+  require_files_apart(verb);
+  say_which_city(verb);
+  say_what_is_utc(verb);
+  say_what_has_no_effect(verb);
+  const AtWork at_work(verb.name);
+  verb.run();
 }
 
 }  // namespace coppermoon::verbs

@@ -28,8 +28,6 @@
 #include "verbs/flags/camera_options.h"
 #include "verbs/flags/coding_option.h"
 #include "verbs/flags/moon_options.h"
-#include "verbs/flags/verb.h"
-#include "verbs/recipes/recipe.h"
 #include "verbs/recipes/recipe_file.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
@@ -63,14 +61,9 @@ StillFlags still_flags_of(const std::string& file) {
   add_moon_options(still, flags.moon);
   add_described(still, flags.view);
   add_described(still, flags.camera);
-  auto words = flags_of_recipe(still, file, {});
-  std::ranges::reverse(words);  // as CLI11 takes them
-  try {
-    still.parse(std::move(words));
-  } catch (const CLI::ParseError& error) {
-    throw algebra::Error(
-        fmt::format("{}: its recipe is not that of one frame: {}", file, error.what()));
-  }
+  take_recipe(still, file);
+  if (!is_given(still, "instant"))
+    throw algebra::Error(fmt::format("{}: its recipe is not that of one frame", file));
   return flags;
 }
 
@@ -297,49 +290,48 @@ void run(const Options& options) {
 }  // namespace
 }  // namespace of_compare
 
-void add_compare(CLI::App& program) {
+void add_compare(Program& program) {
   using namespace of_compare;
-  auto* verb = add_verb(program, "compare",
+  auto& verb = add_verb(program, "compare",
                         "lays a photograph beside a rendered frame and measures how they differ");
   const auto options = std::make_shared<Options>();
   add_flag(
-      *verb, "photo,--photo", options->photo,
+      verb, "photo,--photo", options->photo,
       "photograph: any image, or a camera's raw file; whole numbers are read by the camera's tone "
       "curve where the header names one and no program that developed it, else as sRGB, floats and "
       "raw files as linear")
       .reads_file()
       .of(request::Affects::share)
       .required();
-  add_flag(*verb, "render,--render", options->render,
+  add_flag(verb, "render,--render", options->render,
            "rendered frame, .exr [cd/m²], as still --frame writes it")
       .reads_file()
       .required();
-  add_flag(*verb, "-o,--output", options->output,
+  add_flag(verb, "-o,--output", options->output,
            "sheet, .png: photograph, render and difference side by side")
       .writes_file();
   add_flag(
-      *verb, "--exposure", options->exposure,
+      verb, "--exposure", options->exposure,
       "exposure of the photograph: exif (as its header says) or fit (what suits best, as with a "
       "camera's own tone curve); default: exif where there is a header")
       .one_of({"exif", "fit"});
-  add_flag(*verb, "--bins", options->bins,
+  add_flag(verb, "--bins", options->bins,
            "number of steps of distance from the shadow's axis, 1 to 1000")
       .within(1, 1000);
   add_coding_option(
-      *verb, options->coding,
+      verb, options->coding,
       "coding of the photograph's numbers: camera (its own tone curve, which the frame "
       "tells; so where the header names a camera), srgb or linear (a TIFF never says "
       "which)");
-  add_flag(*verb, "--recipe-in", options->recipe_in,
+  add_flag(verb, "--recipe-in", options->recipe_in,
            ".exr whose recipe tells what the render shows, as a scene's texture does; default: "
            "the render itself")
       .reads_file();
-  add_described(*verb, options->response, uses::describe_response);
-  add_run_switch(*verb, "--csv", options->csv,
+  add_described(verb, options->response, uses::describe_response);
+  add_run_switch(verb, "--csv", options->csv,
                  "prints the steps of distance, and the disc, as CSV");
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document").not_beside({{"csv"}});
-  add_recipe_option(*verb);
-  on_run(*verb, [options] { run(*options); });
+  add_run_switch(verb, "--json", options->json, "prints one JSON document").not_beside({{"csv"}});
+  on_run(verb, [options] { run(*options); });
 }
 
 }  // namespace coppermoon::verbs

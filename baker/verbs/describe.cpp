@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -71,7 +70,7 @@ Json as_json(const Parameter& parameter) {
   if (!parameter.words.empty()) json["words"] = parameter.words;
   if (!parameter.usual.empty()) json["default"] = usual_of(parameter);
   json["many"] = parameter.many;
-  json["required"] = parameter.required;
+  json["required"] = parameter.is_required;
   if (!parameter.heading.empty()) json["heading"] = parameter.heading;
   json["recipe"] = in_recipes(parameter);
   if (!parameter.table.empty()) json["table"] = parameter.table;
@@ -84,11 +83,13 @@ Json as_json(const Parameter& parameter) {
   return json;
 }
 
-Json as_json(const CLI::App& verb) {
+Json as_json(const Verb& verb) {
   auto parameters = Json::array();
-  for (const auto& parameter : parameters_of(verb)) parameters.push_back(as_json(parameter));
-  return {
-      {"name", verb.get_name()}, {"meaning", verb.get_description()}, {"parameters", parameters}};
+  for (const auto& parameter : verb.parameters) parameters.push_back(as_json(parameter));
+  Json json{{"name", verb.name}, {"meaning", verb.help}, {"parameters", parameters}};
+  for (const auto& document : verb.documents)
+    json["documents"].push_back(result::as_json(document));
+  return json;
 }
 
 /// "0 to 1000 DU", "on, off"; where neither is known, the kind.
@@ -109,23 +110,23 @@ void print(const Parameter& parameter, int indent) {
     for (const auto& part : *parameter.parts) print(part, indent + 2);
 }
 
-void print(const CLI::App& verb) {
-  fmt::print("{}\n  {:<24} {:<8} {:<14} {}\n", verb.get_name(), "parameter", "affects", "default",
+void print(const Verb& verb) {
+  fmt::print("{}\n  {:<24} {:<8} {:<14} {}\n", verb.name, "parameter", "affects", "default",
              "allowed");
-  for (const auto& parameter : parameters_of(verb)) print(parameter, 2);
+  for (const auto& parameter : verb.parameters) print(parameter, 2);
 }
 
 /// Commands in the order of help: those asked for, or all.
-std::vector<const CLI::App*> chosen(const CLI::App& program, const Options& options) {
-  std::vector<const CLI::App*> verbs;
+std::vector<const Verb*> chosen(const Program& program, const Options& options) {
+  std::vector<const Verb*> verbs;
   for (const auto& group : guides())
     for (const auto& guide : group.guides)
       if (options.commands.empty() || std::ranges::count(options.commands, guide.verb))
-        verbs.push_back(program.get_subcommand(std::string(guide.verb)));
+        verbs.push_back(&*std::ranges::find(program.verbs, guide.verb, &Verb::name));
   return verbs;
 }
 
-void run(const CLI::App& program, const Options& options) {
+void run(const Program& program, const Options& options) {
   const auto verbs = chosen(program, options);
   if (!options.json) {
     for (const auto* verb : verbs) print(*verb);
@@ -139,18 +140,18 @@ void run(const CLI::App& program, const Options& options) {
 }  // namespace
 }  // namespace of_describe
 
-void add_describe(CLI::App& program) {
+void add_describe(Program& program) {
   using namespace of_describe;
-  auto* verb = add_verb(program, "describe",
+  auto& verb = add_verb(program, "describe",
                         "lists the parameters of commands: kind, unit, range, words, default");
   const auto options = std::make_shared<Options>();
   std::vector<std::string> names;
-  for (const auto* other : program.get_subcommands({})) names.push_back(other->get_name());
-  add_flag(*verb, "commands,--commands", options->commands, "commands to describe; default: all")
+  for (const auto& other : program.verbs) names.push_back(other.name);
+  add_flag(verb, "commands,--commands", options->commands, "commands to describe; default: all")
       .one_of(names)
       .of(request::Affects::run);
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
-  on_run(*verb, [&program, options] { run(program, *options); });
+  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  verb.run = [&program, options] { run(program, *options); };
 }
 
 }  // namespace coppermoon::verbs

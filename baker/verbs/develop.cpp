@@ -17,7 +17,6 @@
 #include "verbs/command_line.h"
 #include "verbs/flags/camera_options.h"
 #include "verbs/flags/named_files.h"
-#include "verbs/recipes/recipe.h"
 #include "verbs/recipes/recipe_file.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
@@ -54,11 +53,12 @@ texture::Image light_of(const Options& options, const std::string& frame,
   return texture::read_channels(frame, {"R", "G", "B"});
 }
 
-/// Frame, and the file of its picture.
+/// Frame, the file of its picture, and what its header says.
 struct Job {
   std::string frame;
   fs::path picture;
   colour::WorkingSpace space;
+  uses::SeenFrame seen;
 };
 
 /// Frame that was read, with the sky that is added to it.
@@ -68,13 +68,13 @@ struct Read {
 };
 
 Read read_frame(const Options& options, const Job& job) {
-  Read read{light_of(options, job.frame, job.space), uses::seen_by(fs::path(job.frame))};
+  Read read{light_of(options, job.frame, job.space), job.seen};
   auto& [light, seen] = read;
   if (seen.sky_cd_m2 > 0 && options.sky_cd_m2)
     throw algebra::Error(fmt::format("{}: holds a sky of {:.3g} cd/m², allowed sky = auto",
                                      job.frame, seen.sky_cd_m2));
   if (seen.sky_cd_m2 > 0) return read;
-  seen.sky_cd_m2 = options.sky_cd_m2.value_or(uses::sky_left_out(job.frame));
+  seen.sky_cd_m2 = options.sky_cd_m2.value_or(seen.sky_left_out_cd_m2);
   const auto white = colour::white(job.space);
   for (std::size_t i = 0; seen.sky_cd_m2 > 0 && i < light.values.size(); ++i)
     light.values[i] += static_cast<float>(seen.sky_cd_m2 * white[int(i % 3)]);
@@ -95,7 +95,7 @@ std::vector<Job> jobs_of(const Options& options) {
             fmt::format("{}: {} and {} would become one picture, allowed frames "
                         "of different names",
                         picture.string(), other.frame, frame));
-    jobs.push_back({frame, picture, space_of(options, frame)});
+    jobs.push_back({frame, picture, space_of(options, frame), uses::seen_by(fs::path(frame))});
   }
   if (folder && ends_as_a_file(options.output) && !fs::exists(options.output))
     throw algebra::Error(fmt::format("{}: {} frames are developed into a folder, allowed its name",
@@ -148,9 +148,8 @@ uses::Exposures shared_exposures(const Options& options, const std::vector<Job>&
 /// The same, with whether it is a camera's.
 uses::Exposures exposures_of(const Options& options, const std::vector<Job>& jobs) {
   auto exposures = shared_exposures(options, jobs);
-  exposures.a_cameras = std::ranges::all_of(jobs, [&](const Job& job) {
-    return is_a_cameras(options.develop, uses::seen_by(fs::path(job.frame)));
-  });
+  exposures.a_cameras = std::ranges::all_of(
+      jobs, [&](const Job& job) { return is_a_cameras(options.develop, job.seen); });
   return exposures;
 }
 
@@ -217,33 +216,32 @@ void run(const Options& options) {
 }  // namespace
 }  // namespace of_develop
 
-void add_develop(CLI::App& program) {
+void add_develop(Program& program) {
   using namespace of_develop;
-  auto* verb =
+  auto& verb =
       add_verb(program, "develop",
                "develops a scene-linear frame: exposure, camera and view make a picture of it");
   const auto options = std::make_shared<Options>();
-  add_flag(*verb, "frame,--frame", options->frames,
+  add_flag(verb, "frame,--frame", options->frames,
            "frame, scene-linear, .exr [cd/m²], or a camera's raw file; several share one exposure")
       .reads_file()
       .of(request::Affects::share)
       .required();
-  add_flag(*verb, "-o,--output", options->output,
+  add_flag(verb, "-o,--output", options->output,
            "picture: " + files::in_words(uses::picture_files()) + "; for several frames a folder")
       .writes_file(uses::picture_files())
       .required();
   add_flag(
-      *verb, "--space", options->space,
+      verb, "--space", options->space,
       "colour space of the frame: lin_rec709, acescg or lin_ciexyzd65_scene; default: what the "
       "header or the name says");
-  add_described(*verb, options->sky_cd_m2, uses::describe_sky_of_frame);
-  add_described(*verb, options->develop);
-  add_described(*verb, options->develop.caption, uses::describe_caption);
-  add_described(*verb, options->develop.camera);
-  add_camera_file_options(*verb, options->develop.camera);
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
-  add_recipe_option(*verb);
-  on_run(*verb, [options] { run(*options); });
+  add_described(verb, options->sky_cd_m2, uses::describe_sky_of_frame);
+  add_described(verb, options->develop);
+  add_described(verb, options->develop.caption, uses::describe_caption);
+  add_described(verb, options->develop.camera);
+  add_camera_file_options(verb, options->develop.camera);
+  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  on_run(verb, [options] { run(*options); });
 }
 
 }  // namespace coppermoon::verbs

@@ -17,7 +17,6 @@
 #include "verbs/command_line.h"
 #include "verbs/flags/moon_options.h"
 #include "verbs/flags/named_files.h"
-#include "verbs/recipes/recipe.h"
 #include "verbs/reports/progress_bar.h"
 
 namespace coppermoon::verbs {
@@ -86,29 +85,28 @@ void run(const Options& options) {
 }  // namespace
 }  // namespace of_dome
 
-void add_dome(CLI::App& program) {
+void add_dome(Program& program) {
   using namespace of_dome;
-  auto* verb = add_verb(program, "dome",
+  auto& verb = add_verb(program, "dome",
                         "makes the night sky around the Moon: latitude-longitude, cd/m², the "
                         "zenith on top, north in the middle");
   const auto options = std::make_shared<Options>();
-  add_moment_options(*verb, options->moon.moment,
+  add_moment_options(verb, options->moon.moment,
                      "; or a file that coppermoon made, to make it again")
       .required();
-  add_map_options(*verb, options->moon.request);
-  add_described(*verb, options->moon.request, uses::describe_unshadowed);
-  add_light_options(*verb, options->moon.light);
-  add_flag(*verb, "-o,--output", options->output,
+  add_map_options(verb, options->moon.request);
+  add_described(verb, options->moon.request, uses::describe_unshadowed);
+  add_light_options(verb, options->moon.light);
+  add_flag(verb, "-o,--output", options->output,
            "sky, 2:1, east to the right of north, three quarters across: " +
                files::in_words(formats) + ". sky_acescg.exr is in that space")
       .writes_file(formats)
       .required();
-  add_described(*verb, options->view, uses::describe_observer);
-  add_described(*verb, options->view, uses::describe_stars);
-  add_described(*verb, options->dome);
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
-  add_recipe_option(*verb);
-  on_run(*verb, [options] { run(*options); });
+  add_described(verb, options->view, uses::describe_observer);
+  add_described(verb, options->view, uses::describe_stars);
+  add_described(verb, options->dome);
+  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  on_run(verb, [options] { run(*options); });
 }
 
 }  // namespace coppermoon::verbs

@@ -20,7 +20,6 @@
 #include "verbs/flags/known_words.h"
 #include "verbs/flags/moments.h"
 #include "verbs/flags/moon_options.h"
-#include "verbs/recipes/recipe.h"
 #include "verbs/reports/one_line.h"
 #include "verbs/reports/progress_bar.h"
 
@@ -61,9 +60,9 @@ std::string shell_word(const std::string& word) {
 }
 
 /// Flags of the air and the map that were given, for the commands that the page shows.
-std::string options_shown(const CLI::App& verb) {
+std::string options_shown(const Verb& verb) {
   std::string flags;
-  for (const auto& parameter : parameters_of(verb)) {
+  for (const auto& parameter : verb.parameters) {
     const bool shown = parameter.table == "atmosphere" || parameter.name.starts_with("albedo-") ||
                        parameter.name == "photometry" || parameter.name == "ground";
     if (!shown || !parameter.given) continue;
@@ -121,7 +120,7 @@ nlohmann::ordered_json write_calendar(const Options& options) {
   return {{"file", list.string()}, {"pages", written}};
 }
 
-void run(const CLI::App& verb, Options options) {
+void run(const Verb& verb, Options options) {
   require_sound(options);
   auto& request = options.request;
   request.options = options_shown(verb);
@@ -140,35 +139,34 @@ void run(const CLI::App& verb, Options options) {
 }  // namespace
 }  // namespace of_explore
 
-void add_explore(CLI::App& program) {
+void add_explore(Program& program) {
   using namespace of_explore;
-  auto* verb = add_verb(program, "explore",
+  auto& verb = add_verb(program, "explore",
                         "makes an eclipse a page for any browser, in which time, place, exposure "
                         "and air are changed by hand");
   const auto options = std::make_shared<Options>();
-  add_flag(*verb, "eclipse,--eclipse", options->film.eclipse, "day of the eclipse, as 2018-07-27");
-  add_calendar_option(*verb, options->film.calendar);
-  add_flag(*verb, "--from", options->from,
+  add_flag(verb, "eclipse,--eclipse", options->film.eclipse, "day of the eclipse, as 2018-07-27");
+  add_calendar_option(verb, options->film.calendar);
+  add_flag(verb, "--from", options->from,
            "first day of a calendar: a page for every eclipse, in a folder");
-  add_flag(*verb, "--to", options->to, "last day of the calendar");
+  add_flag(verb, "--to", options->to, "last day of the calendar");
   add_parsed(
-      *verb, "--at",
+      verb, "--at",
       [options](const std::string& text) {
         options->request.observer = uses::observer_from(text);
         options->request.place = text;
       },
       "place of the observer when the page opens: a city, as Nairobi, or LAT,LON[,ELEV] [degrees "
       "north and east, metres]; default: the Earth's centre");
-  add_flag(*verb, "-o,--output", options->output,
+  add_flag(verb, "-o,--output", options->output,
            "page, .html; with --from and --to a folder of them, with a list in index.html")
       .writes_file()
       .required();
-  add_switch(*verb, "--embed", options->embed, "writes the part of a page that stands in your own");
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
-  add_map_options(*verb, options->request.moon);
-  add_described(*verb, options->request.moon.light.air);
-  add_recipe_option(*verb);
-  on_run(*verb, [verb, options] { run(*verb, *options); });
+  add_switch(verb, "--embed", options->embed, "writes the part of a page that stands in your own");
+  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  add_map_options(verb, options->request.moon);
+  add_described(verb, options->request.moon.light.air);
+  on_run(verb, [&verb, options] { run(verb, *options); });
 }
 
 }  // namespace coppermoon::verbs

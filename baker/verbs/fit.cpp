@@ -21,7 +21,6 @@
 #include "verbs/flags/coding_option.h"
 #include "verbs/flags/light_options.h"
 #include "verbs/flags/moon_options.h"
-#include "verbs/recipes/recipe.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
 #include "verbs/reports/progress_bar.h"
@@ -431,9 +430,9 @@ void run(const Options& options) {
   if (options.misfits || !explains(found.fit)) print_misfits(input, found);
 }
 
-void add_photograph_options(CLI::App& verb, Options& options) {
+void add_photograph_options(Verb& verb, Options& options) {
   const std::string group = "How the photographs were taken";
-  const auto add = [&](const char* flag, auto& value, const char* text) {
+  const auto add = [&](const char* flag, auto& value, const char* text) -> request::Parameter& {
     return add_flag(verb, flag, value, text).in(group).only_with({{"photos"}});
   };
   add("--instants", options.instants,
@@ -481,49 +480,47 @@ void add_photograph_options(CLI::App& verb, Options& options) {
 }  // namespace
 }  // namespace of_fit
 
-void add_fit(CLI::App& program) {
+void add_fit(Program& program) {
   using namespace of_fit;
-  auto* verb = add_verb(
+  auto& verb = add_verb(
       program, "fit",
       "finds the aerosol, cloud and ozone that explain photographs or magnitudes of an eclipse");
   const auto options = std::make_shared<Options>();
-  add_flag(*verb, "photos,--photos", options->photos,
+  add_flag(verb, "photos,--photos", options->photos,
            "photographs of eclipsed Moons: any image, or a camera's raw file")
       .reads_file()
       .of(request::Affects::share);
-  add_flag(*verb, "--magnitudes", options->magnitudes,
+  add_flag(verb, "--magnitudes", options->magnitudes,
            "magnitudes of the whole Moon, .csv: instant,band,magnitude,error")
       .reads_file();
   add_flag(
-      *verb, "-o,--output", options->outputs,
+      verb, "-o,--output", options->outputs,
       "light over full sunlight by distance from the shadow's axis, as the photographs show it "
       "and as the air that was found gives it: numbers as .csv, a plot as .png, .svg or .pdf. "
       "May be given again")
-      .writes_file()
-      .kept_each_time();
-  add_photograph_options(*verb, *options);
+      .writes_file();
+  add_photograph_options(verb, *options);
   auto& moon = options->request.moon;
-  add_map_options(*verb, moon);
-  add_described(*verb, moon.light.air, uses::describe_terms);
-  add_described(*verb, moon.light.air.column, uses::describe_layers);
-  add_described(*verb, moon.light, uses::describe_sunlight);
-  add_described(*verb, options->request.view, uses::describe_observer);
-  add_described(*verb, moon.response, uses::describe_response);
+  add_map_options(verb, moon);
+  add_described(verb, moon.light.air, uses::describe_terms);
+  add_described(verb, moon.light.air.column, uses::describe_layers);
+  add_described(verb, moon.light, uses::describe_sunlight);
+  add_described(verb, options->request.view, uses::describe_observer);
+  add_described(verb, moon.response, uses::describe_response);
   add_choice<uses::Unknowns>(
-      *verb, "--unknowns", options->request.unknowns,
+      verb, "--unknowns", options->request.unknowns,
       {{"factors", uses::Unknowns::factors}, {"amounts", uses::Unknowns::amounts}},
       "what is looked for. factors: on the stratospheric aerosol, chance of cloud and ozone that "
       "the month has; amounts: a layer of dust, a deck of cloud and a column of ozone, the same "
       "everywhere. Default: factors, in air without a month amounts");
-  add_switch(*verb, "--despite-misfit", options->despite_misfit,
+  add_switch(verb, "--despite-misfit", options->despite_misfit,
              "answers although no air explains what was seen, with a warning");
-  add_run_switch(*verb, "--misfits", options->misfits,
+  add_run_switch(verb, "--misfits", options->misfits,
                  "prints how each photograph and channel differs from the air that was found; done "
                  "in any case where no air explains them")
       .not_beside({{"json"}});
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
-  add_recipe_option(*verb);
-  on_run(*verb, [options] { run(*options); });
+  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  on_run(verb, [options] { run(*options); });
 }
 
 }  // namespace coppermoon::verbs

@@ -11,7 +11,6 @@
 #include "uses/picture/pixels.h"
 #include "verbs/command_line.h"
 #include "verbs/recipes/one_scene.h"
-#include "verbs/recipes/recipe.h"
 #include "verbs/reports/one_line.h"
 
 namespace coppermoon::verbs {
@@ -55,22 +54,21 @@ void run(const Options& options) {
 }  // namespace
 }  // namespace of_merge
 
-void add_merge(CLI::App& program) {
+void add_merge(Program& program) {
   using namespace of_merge;
-  auto* verb =
+  auto& verb =
       add_verb(program, "merge", "merges bracketed photographs into one of the scene's luminance");
   const auto options = std::make_shared<Options>();
-  add_flag(*verb, "photographs,--photographs", options->photographs,
+  add_flag(verb, "photographs,--photographs", options->photographs,
            "photographs of one scene, .exr, as --photograph writes them")
       .reads_file()
       .of(request::Affects::share)
       .required();
-  add_flag(*verb, "-o,--output", options->output, "scene-linear [cd/m2], .exr")
+  add_flag(verb, "-o,--output", options->output, "scene-linear [cd/m2], .exr")
       .writes_file()
       .required();
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
-  add_recipe_option(*verb);
-  on_run(*verb, [options] { run(*options); });
+  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  on_run(verb, [options] { run(*options); });
 }
 
 }  // namespace coppermoon::verbs

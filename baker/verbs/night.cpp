@@ -24,7 +24,6 @@
 #include "verbs/flags/film_options.h"
 #include "verbs/flags/moments.h"
 #include "verbs/flags/moon_options.h"
-#include "verbs/recipes/recipe.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
 #include "verbs/reports/progress_bar.h"
@@ -347,48 +346,47 @@ void run(const Options& options) {
 }  // namespace
 }  // namespace of_night
 
-void add_night(CLI::App& program) {
+void add_night(Program& program) {
   using namespace of_night;
-  auto* verb = add_verb(program, "night",
+  auto& verb = add_verb(program, "night",
                         "plans a night under an eclipse for one place: when and where the Moon "
                         "stands, how bright it is, how to expose it");
   const auto options = std::make_shared<Options>();
   options->moon.light.effort.quality = "draft";
-  add_flag(*verb, "eclipse,--eclipse", options->film.eclipse, "day of the eclipse, as 2026-03-03")
+  add_flag(verb, "eclipse,--eclipse", options->film.eclipse, "day of the eclipse, as 2026-03-03")
       .required();
-  add_calendar_option(*verb, options->film.calendar);
+  add_calendar_option(verb, options->film.calendar);
   add_parsed(
-      *verb, "--at",
+      verb, "--at",
       [options](const std::string& text) {
         options->view.observer = uses::observer_from(text);
         options->place = text;
       },
       "place of the observer: a city, as Honolulu, or LAT,LON[,ELEV] [degrees north and east, "
       "metres]");
-  add_flag(*verb, "--zone", options->zone,
+  add_flag(verb, "--zone", options->zone,
            "time zone of the local times: an IANA name, as Europe/Berlin, or an offset, as +02:00; "
            "default: that of the city");
-  add_outputs(*verb, options->outputs, writers());
-  add_flag(*verb,
+  add_outputs(verb, options->outputs, writers());
+  add_flag(verb,
            request::on_off("--danjon-spread", options->danjon,
                            "exposures of the middle of totality for Danjon's scale 0 to 4 too"));
-  add_flag(*verb, "--focal-length", options->view.focal_length_mm,
+  add_flag(verb, "--focal-length", options->view.focal_length_mm,
            "focal length of the telescope or lens [mm], 1 to 1e6: no exposure lets the Moon trail "
            "by more "
            "than two pixels, the camera's or 4 um wide, as where no mount follows it")
       .within(1, 1e6);
-  add_run_switch(*verb, "--csv", options->csv, "prints the moments as CSV").not_beside({{"json"}});
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
-  add_map_options(*verb, options->moon.request);
-  add_light_options(*verb, options->moon.light);
-  add_described(*verb, options->develop, uses::describe_but_time);
-  add_described(*verb, options->develop.camera);
+  add_run_switch(verb, "--csv", options->csv, "prints the moments as CSV").not_beside({{"json"}});
+  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  add_map_options(verb, options->moon.request);
+  add_light_options(verb, options->moon.light);
+  add_described(verb, options->develop, uses::describe_but_time);
+  add_described(verb, options->develop.camera);
   for (const char* of_a_picture :
        {"view", "display", "config", "bits", "diffraction", "seeing", "glow", "read-noise",
         "converter-noise", "black-level", "sensor-bits", "noise", "noise-seed", "response"})
-    parameters_of(*verb).find(of_a_picture)->only_with({});
-  add_recipe_option(*verb);
-  on_run(*verb, [options] { run(*options); });
+    verb.parameters.find(of_a_picture)->only_with({});
+  on_run(verb, [options] { run(*options); });
 }
 
 }  // namespace coppermoon::verbs

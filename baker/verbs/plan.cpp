@@ -9,9 +9,9 @@
 #include "uses/picture/lit_scene.h"
 #include "uses/picture/picture_parameters.h"
 #include "uses/picture/still.h"
+#include "uses/picture/texture_recipe.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/moon_options.h"
-#include "verbs/recipes/recipe.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/report.h"
 
@@ -26,7 +26,7 @@ struct Options {
 };
 
 /// Whether a picture is planned: any parameter of the view is given.
-bool of_a_picture(const CLI::App& verb) {
+bool of_a_picture(const Verb& verb) {
   for (const auto* flag : {"at", "width", "height", "field", "focal-length", "sensor-width"})
     if (is_given(verb, flag)) return true;
   return false;
@@ -92,13 +92,12 @@ void print(const Planned& all) {
     fmt::print("not reached tolerance: {} is predicted\n", in_percent(plan.error));
 }
 
-void run(const CLI::App& verb, const Options& options) {
+void run(const Verb& verb, const Options& options) {
   const auto all = planned(options, of_a_picture(verb));
   if (!options.json) return print(all);
-  auto recipe = recipe_of(verb);
-  if (!options.moon.request.texture_width)
-    recipe = fmt::format("texture-width = {}\n", all.texture_width) + recipe;
-  nlohmann::ordered_json json{{"chosen", as_json(uses::with_work(recipe, all.plan.work))}};
+  auto recipe = request::recipe_of(verb.parameters);
+  if (!options.moon.request.texture_width) recipe = uses::with_width(recipe, all.texture_width);
+  nlohmann::ordered_json json{{"chosen", as_json(text_of(uses::with_work(recipe, all.plan.work)))}};
   json.update(as_json(all.plan));
   if (all.frame_bytes) json["frame_bytes"] = *all.frame_bytes;
   for (const auto& text : all.picture_left_out)
@@ -109,17 +108,16 @@ void run(const CLI::App& verb, const Options& options) {
 }  // namespace
 }  // namespace of_plan
 
-void add_plan(CLI::App& program) {
+void add_plan(Program& program) {
   using namespace of_plan;
-  auto* verb =
+  auto& verb =
       add_verb(program, "plan",
                "says what a texture or a picture requires, and what it will cost, before any work");
   const auto options = std::make_shared<Options>();
-  add_moon_options(*verb, options->moon);
-  add_described(*verb, options->view);
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
-  add_recipe_option(*verb);
-  on_run(*verb, [verb, options] { run(*verb, *options); });
+  add_moon_options(verb, options->moon);
+  add_described(verb, options->view);
+  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  on_run(verb, [&verb, options] { run(verb, *options); });
 }
 
 }  // namespace coppermoon::verbs

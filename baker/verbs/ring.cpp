@@ -18,7 +18,6 @@
 #include "verbs/flags/light_options.h"
 #include "verbs/flags/moments.h"
 #include "verbs/flags/named_files.h"
-#include "verbs/recipes/recipe.h"
 
 namespace coppermoon::verbs {
 namespace of_ring {
@@ -51,7 +50,7 @@ void print_json(const Options& options, const almanac::SkyState& sky,
   fmt::print("{}\n", all.dump(2));
 }
 
-void run(const CLI::App& verb, const Options& options) {
+void run(const Verb& verb, const Options& options) {
   require_sound(options);
   say_space_of(options.output, uses::picture_space);
   const auto sky = almanac::sky_at(instant_of(options.moment));
@@ -67,31 +66,30 @@ void run(const CLI::App& verb, const Options& options) {
 }  // namespace
 }  // namespace of_ring
 
-void add_ring(CLI::App& program) {
+void add_ring(Program& program) {
   using namespace of_ring;
-  auto* verb =
+  auto& verb =
       add_verb(program, "ring",
                "makes the Earth's ring of sunsets as the eclipsed Moon sees it: a strip, cd/m²");
   const auto options = std::make_shared<Options>();
-  add_moment_options(*verb, options->moment).required();
+  add_moment_options(verb, options->moment).required();
   add_parsed(
-      *verb, "--on", [options](const std::string& text) { options->on = uses::feature_from(text); },
+      verb, "--on", [options](const std::string& text) { options->on = uses::feature_from(text); },
       "place on the Moon: a feature's name, as Tycho, or LAT,LON [degrees north and east]; "
       "default: where the Earth is in the zenith");
-  add_flag(*verb, "-o,--output", options->output,
+  add_flag(verb, "-o,--output", options->output,
            "strip: " + files::in_words(formats) +
                ". Columns: position angle about the Earth's centre, from north through east. Rows: "
                "even in the angle from the centre, the outer edge on top; the header holds the "
                "angles of both edges")
       .writes_file(formats)
       .required();
-  add_flag(*verb, "--scale", options->scale,
+  add_flag(verb, "--scale", options->scale,
            "factor on luminance in cd/m², 1e-9 to 1e9; POV-Ray reads no more than 65504")
       .within(1e-9, 1e9);
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
-  add_described(*verb, options->light.air);
-  add_recipe_option(*verb);
-  on_run(*verb, [verb, options] { run(*verb, *options); });
+  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  add_described(verb, options->light.air);
+  on_run(verb, [&verb, options] { run(verb, *options); });
 }
 
 }  // namespace coppermoon::verbs

@@ -9,7 +9,6 @@
 #include "uses/picture/picture_parameters.h"
 #include "uses/picture/sky_lights.h"
 #include "verbs/command_line.h"
-#include "verbs/recipes/recipe.h"
 #include "verbs/recipes/recorded_scene.h"
 #include "verbs/reports/progress_bar.h"
 
@@ -28,7 +27,7 @@ struct Options {
   bool json = false;
 };
 
-void run(const CLI::App& verb, const Options& options) {
+void run(const Verb& verb, const Options& options) {
   const std::filesystem::path folder = options.output;
   if (std::filesystem::exists(folder) && !std::filesystem::is_directory(folder))
     throw algebra::Error(fmt::format("{}: is no directory", folder.string()));
@@ -48,26 +47,25 @@ void run(const CLI::App& verb, const Options& options) {
 }  // namespace
 }  // namespace of_scene
 
-void add_scene(CLI::App& program) {
+void add_scene(Program& program) {
   using namespace of_scene;
-  auto* verb =
+  auto& verb =
       add_verb(program, "scene", "writes a scene with its texture into a folder, ready to render");
   const auto options = std::make_shared<Options>();
-  add_moon_options(*verb, options->moon);
-  add_described(*verb, options->view);
-  add_described(*verb, options->moon.request.response, uses::describe_response);
-  add_flag(*verb, "-o,--output", options->output,
+  add_moon_options(verb, options->moon);
+  add_described(verb, options->view);
+  add_described(verb, options->moon.request.response, uses::describe_response);
+  add_flag(verb, "-o,--output", options->output,
            "folder for texture and scene, which `povray eclipse.ini` in it renders, and for "
            "moon.inc and eclipse_stars.inc, Moon, sky and stars for scenes of your own")
       .writes_folder()
       .required();
-  add_choice(*verb, "--for", options->renderer, renderers,
+  add_choice(verb, "--for", options->renderer, renderers,
              "renderer of the scene: povray, or mitsuba (Mitsuba 3: eclipse.xml, which "
              "`mitsuba -m scalar_rgb -o frame.exr eclipse.xml` renders)");
-  parameters_of(*verb).find("sky")->not_beside({{"for", {"mitsuba"}}});
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
-  add_recipe_option(*verb);
-  on_run(*verb, [verb, options] { run(*verb, *options); });
+  verb.parameters.find("sky")->not_beside({{"for", {"mitsuba"}}});
+  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  on_run(verb, [&verb, options] { run(verb, *options); });
 }
 
 }  // namespace coppermoon::verbs

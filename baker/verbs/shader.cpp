@@ -14,7 +14,6 @@
 #include "verbs/flags/film_options.h"
 #include "verbs/flags/light_options.h"
 #include "verbs/flags/moments.h"
-#include "verbs/recipes/recipe.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
 #include "verbs/reports/progress_bar.h"
@@ -39,7 +38,7 @@ struct Options {
   bool json = false;
 };
 
-void run(const CLI::App& verb, Options options) {
+void run(const Verb& verb, Options options) {
   const fs::path folder = options.output;
   if (fs::exists(folder) && !fs::is_directory(folder))
     throw algebra::Error(fmt::format("{}: is no directory", one_line(options.output)));
@@ -73,27 +72,26 @@ void run(const CLI::App& verb, Options options) {
 }  // namespace
 }  // namespace of_shader
 
-void add_shader(CLI::App& program) {
+void add_shader(Program& program) {
   using namespace of_shader;
-  auto* verb = add_verb(program, "shader",
+  auto& verb = add_verb(program, "shader",
                         "writes an eclipse as one small image and a shader that knows the time, "
                         "for OSL, GLSL, MaterialX, POV-Ray and Blender");
   const auto options = std::make_shared<Options>();
-  add_flag(*verb, "eclipse,--eclipse", options->moment.text,
+  add_flag(verb, "eclipse,--eclipse", options->moment.text,
            "day of the eclipse, as 2018-07-27; or the one moment to show, as 2018-07-27T18:50Z")
       .required();
-  add_calendar_option(*verb, options->moment.calendar);
-  add_flag(*verb, "-o,--output", options->output,
+  add_calendar_option(verb, options->moment.calendar);
+  add_flag(verb, "-o,--output", options->output,
            "folder for the strip, eclipse.exr, and the shaders that read it")
       .writes_folder()
       .required();
-  add_choice(*verb, "--space", options->request.space, spaces,
+  add_choice(verb, "--space", options->request.space, spaces,
              "colour space of the light: lin_rec709, acescg or lin_ciexyzd65_scene");
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
-  add_light_options(*verb, options->light);
-  add_described(*verb, options->request.response, uses::describe_response);
-  add_recipe_option(*verb);
-  on_run(*verb, [verb, options] { run(*verb, *options); });
+  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  add_light_options(verb, options->light);
+  add_described(verb, options->request.response, uses::describe_response);
+  on_run(verb, [&verb, options] { run(verb, *options); });
 }
 
 }  // namespace coppermoon::verbs

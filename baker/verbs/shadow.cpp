@@ -12,12 +12,11 @@
 #include "files/endings.h"
 #include "files/whole_file.h"
 #include "uses/light/shadow_profile.h"
-#include "uses/picture/shadow_plot.h"
+#include "uses/picture/plots.h"
 #include "uses/plot/plot.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/light_options.h"
 #include "verbs/flags/moments.h"
-#include "verbs/recipes/recipe.h"
 #include "verbs/reports/one_line.h"
 #include "verbs/reports/progress_bar.h"
 #include "verbs/reports/report.h"
@@ -188,7 +187,7 @@ void make_profile(const Options& options, const Cut& cut, const uses::ShadowCut&
                result.wavelengths_nm.size());
 }
 
-void run(const CLI::App& verb, const Options& options) {
+void run(const Verb& verb, const Options& options) {
   require_sound(options);
   const auto cut = cut_of(options);
   const auto light = light_request(options.light);
@@ -197,46 +196,44 @@ void run(const CLI::App& verb, const Options& options) {
   if (light.by_hand.terms && !cut.sky) air = uses::air_for(*light.by_hand.terms, {.air = air});
   if (cut.sky) say_unless_danjon_is_reached(light.air, *cut.sky);
   const uses::ShadowCut shadow{air, uses::arrangement_of(light, cut.sun_distance_m, {cut.depth_m})};
-  make_profile(options, cut, shadow, light, uses::air_in_words(parameters_of(verb)));
+  make_profile(options, cut, shadow, light, uses::air_in_words(verb.parameters));
 }
 
 }  // namespace
 }  // namespace of_shadow
 
-void add_shadow(CLI::App& program) {
+void add_shadow(Program& program) {
   using namespace of_shadow;
-  auto* verb = add_verb(program, "shadow",
+  auto& verb = add_verb(program, "shadow",
                         "computes irradiance across the shadow, over unobstructed sunlight");
   const auto options = std::make_shared<Options>();
-  add_moment_options(*verb, options->moment, "; for the distances and the air of that moment");
-  add_flag(*verb, "--wavelengths", options->wavelengths,
+  add_moment_options(verb, options->moment, "; for the distances and the air of that moment");
+  add_flag(verb, "--wavelengths", options->wavelengths,
            "wavelengths [nm], 380 to 780, with commas between");
-  add_flag(*verb, "--axis-distances", options->axis_distances,
+  add_flag(verb, "--axis-distances", options->axis_distances,
            "distances from the shadow's axis [km], increasing, with commas between");
-  add_flag(*verb, "--moon-distance-km", options->moon_distance_km,
+  add_flag(verb, "--moon-distance-km", options->moon_distance_km,
            "distance of the Moon from the Earth's centre along the shadow's axis [km], 1e5 to 1e6")
       .within(1e5, 1e6);
-  add_flag(*verb, "--sun-distance-km", options->sun_distance_km,
+  add_flag(verb, "--sun-distance-km", options->sun_distance_km,
            "distance of the Sun from the Earth's centre [km], 4.5e7 to 4.5e8")
       .within(4.5e7, 4.5e8);
-  add_flag(*verb, "--position-angle", options->position_angle_deg,
+  add_flag(verb, "--position-angle", options->position_angle_deg,
            "position angle about the axis, from celestial north through east [degrees], 0 to 360; "
            "default: the mean over all angles")
       .within(0, 360);
-  add_flag(*verb, "-o,--output", options->outputs,
+  add_flag(verb, "-o,--output", options->outputs,
            "file in place of stdout: " + files::in_words(formats()) + ". May be given again")
-      .writes_file(formats())
-      .kept_each_time();
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
-  add_light_options(*verb, options->light);
-  add_photon_file_options(*verb, options->light);
-  auto& all = parameters_of(*verb);
+      .writes_file(formats());
+  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  add_light_options(verb, options->light);
+  add_photon_file_options(verb, options->light);
+  auto& all = verb.parameters;
   for (const char* of_a_moon : {"bands", "planes", "place-error", "budget"})
     all.find(of_a_moon)->only_with({});
   for (const char* of_photons : {"photons", "seed", "ring-km", "smoothing-km"})
     all.find(of_photons)->only_with({{"solver", {"photons", "literal"}}, {"quality", {"paper"}}});
-  add_recipe_option(*verb);
-  on_run(*verb, [verb, options] { run(*verb, *options); });
+  on_run(verb, [&verb, options] { run(verb, *options); });
 }
 
 }  // namespace coppermoon::verbs

@@ -13,7 +13,6 @@
 #include "uses/picture/view.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/moments.h"
-#include "verbs/recipes/recipe.h"
 
 namespace coppermoon::verbs {
 namespace of_sky {
@@ -76,22 +75,21 @@ void run(const Options& options) {
 }  // namespace
 }  // namespace of_sky
 
-void add_sky(CLI::App& program) {
+void add_sky(Program& program) {
   using namespace of_sky;
-  auto* verb =
+  auto& verb =
       add_verb(program, "sky", "says where Sun, Moon and shadow are, and how the Moon is turned");
   const auto options = std::make_shared<Options>();
-  add_moment_options(*verb, options->moment).required();
-  add_flag(*verb, "--at", options->at,
+  add_moment_options(verb, options->moment).required();
+  add_flag(verb, "--at", options->at,
            "place of an observer: a city, as Chicago, or LAT,LON[,ELEV] [degrees north and east, "
            "metres]");
-  add_flag(*verb, "--stars", options->faintest_star,
+  add_flag(verb, "--stars", options->faintest_star,
            "V magnitude, -5 to 20: lists stars and planets to it; illuminance in linear Rec.709")
       .within(-5, 20)
       .of(request::Affects::run);
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
-  add_recipe_option(*verb);
-  on_run(*verb, [options] { run(*options); });
+  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  on_run(verb, [options] { run(*options); });
 }
 
 }  // namespace coppermoon::verbs

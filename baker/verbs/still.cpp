@@ -18,7 +18,6 @@
 #include "verbs/command_line.h"
 #include "verbs/flags/camera_options.h"
 #include "verbs/flags/named_files.h"
-#include "verbs/recipes/recipe.h"
 #include "verbs/recipes/recorded_scene.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/progress_bar.h"
@@ -49,7 +48,7 @@ void require_sound(const Options& options) {
 }
 
 /// Colour space of the frame: as its name says, or as asked for.
-colour::WorkingSpace frame_space(const CLI::App& verb, const Options& options) {
+colour::WorkingSpace frame_space(const Verb& verb, const Options& options) {
   if (is_given(verb, "space")) return *space_for(options.frame, options.space);
   const auto space = space_for(options.frame, {}).value_or(options.space);
   say_space_of(options.frame, space, other_spaces);
@@ -70,7 +69,7 @@ void say_unless_seen(const uses::LitScene& scene, const Options& options) {
   if (const auto line = unseen_in_words(night, when)) fmt::print(stderr, "coppermoon: {}\n", *line);
 }
 
-void run(const CLI::App& verb, Options options) {
+void run(const Verb& verb, Options options) {
   options.view = seen_through(options.develop.camera, options.view);
   options.develop.focal_length_mm = options.view.focal_length_mm;
   options.moon.request.response = spectral_response(options.develop.camera);
@@ -105,31 +104,30 @@ void run(const CLI::App& verb, Options options) {
 }  // namespace
 }  // namespace of_still
 
-void add_still(CLI::App& program) {
+void add_still(Program& program) {
   using namespace of_still;
-  auto* verb =
+  auto& verb =
       add_verb(program, "still",
                "makes a picture: bakes, builds the scene, renders it with POV-Ray, develops it");
   const auto options = std::make_shared<Options>();
-  add_moon_options(*verb, options->moon);
-  add_described(*verb, options->view);
-  add_described(*verb, options->develop);
-  add_described(*verb, options->develop.caption, uses::describe_caption);
-  add_described(*verb, options->develop.camera);
-  add_camera_file_options(*verb, options->develop.camera);
-  add_flag(*verb, "-o,--output", options->output,
+  add_moon_options(verb, options->moon);
+  add_described(verb, options->view);
+  add_described(verb, options->develop);
+  add_described(verb, options->develop.caption, uses::describe_caption);
+  add_described(verb, options->develop.camera);
+  add_camera_file_options(verb, options->develop.camera);
+  add_flag(verb, "-o,--output", options->output,
            "picture: " + files::in_words(uses::picture_files()))
       .writes_file(uses::picture_files())
       .required();
-  add_flag(*verb, "--frame", options->frame, "writes the scene-linear frame too: .exr [cd/m²]")
+  add_flag(verb, "--frame", options->frame, "writes the scene-linear frame too: .exr [cd/m²]")
       .writes_file();
-  add_frame_space_option(*verb, options->space);
-  add_described(*verb, options->passes, uses::describe_passes);
+  add_frame_space_option(verb, options->space);
+  add_described(verb, options->passes, uses::describe_passes);
   for (const char* of_frame : {"space", "passes"})
-    parameters_of(*verb).find(of_frame)->only_with({{"frame"}});
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
-  add_recipe_option(*verb);
-  on_run(*verb, [verb, options] { run(*verb, *options); });
+    verb.parameters.find(of_frame)->only_with({{"frame"}});
+  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  on_run(verb, [&verb, options] { run(verb, *options); });
 }
 
 }  // namespace coppermoon::verbs

@@ -18,7 +18,6 @@
 #include "uses/tradeoff/sweeps.h"
 #include "uses/tradeoff/yardstick.h"
 #include "verbs/command_line.h"
-#include "verbs/recipes/recipe.h"
 #include "verbs/reports/one_line.h"
 #include "verbs/reports/progress_bar.h"
 #include "verbs/reports/tradeoff_files.h"
@@ -146,39 +145,37 @@ void run(const Options& options) {
 }  // namespace
 }  // namespace of_tradeoff
 
-void add_tradeoff(CLI::App& program) {
+void add_tradeoff(Program& program) {
   using namespace of_tradeoff;
-  auto* verb =
+  auto& verb =
       add_verb(program, "tradeoff", "measures speed against accuracy for every method and setting");
   const auto options = std::make_shared<Options>();
-  add_flag(*verb, "instant,--instant", options->instant, "moment in UTC of the scene that is lit");
-  add_flag(*verb, "-o,--output", options->output,
+  add_flag(verb, "instant,--instant", options->instant, "moment in UTC of the scene that is lit");
+  add_flag(verb, "-o,--output", options->output,
            "folder for tradeoff.csv, tradeoff.md and tradeoff.svg")
       .writes_folder()
       .required();
-  add_flag(*verb, "--only", options->only, "method to measure alone. May be given again")
-      .one_of(uses::solver_names())
-      .one_value_each_time();
+  add_flag(verb, "--only", options->only, "method to measure alone. May be given again")
+      .one_of(uses::solver_names());
   add_flag(
-      *verb, "--longest", options->longest_s,
+      verb, "--longest", options->longest_s,
       "longest time of one run [s], 0 to 1e6, usually 20, with --quick 3; a row that would take "
       "longer is extrapolated")
       .within(0, 1e6);
   add_flag(
-      *verb, "--repeat", options->repeat,
+      verb, "--repeat", options->repeat,
       "number of runs, 1 to 100; the shortest counts. Runs under a second, with --quick under 0.1 "
       "s, are made three times or more")
       .within(1, 100);
-  add_switch(*verb, "--quick", options->quick,
+  add_switch(verb, "--quick", options->quick,
              "measures few and small settings, against a coarser reference: ten seconds of one "
              "processor");
-  add_flag(*verb, "--albedo-map", options->moon.albedo_map,
+  add_flag(verb, "--albedo-map", options->moon.albedo_map,
            "albedo map: an image of 2:1 with longitude 0 in the middle, or built-in")
       .reads_file();
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
-  add_described(*verb, options->moon.light.air);
-  add_recipe_option(*verb);
-  on_run(*verb, [options] { run(*options); });
+  add_run_switch(verb, "--json", options->json, "prints one JSON document");
+  add_described(verb, options->moon.light.air);
+  on_run(verb, [options] { run(*options); });
 }
 
 }  // namespace coppermoon::verbs

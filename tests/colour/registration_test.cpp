@@ -8,6 +8,7 @@
 
 #include "algebra/error.h"
 #include "colour/photographed_moon.h"
+#include "support/refusals.h"
 #include "support/within.h"
 
 namespace coppermoon::colour {
@@ -223,12 +224,8 @@ TEST(Registration, RefusesTheSun) {
   const auto moon = drawn(Moon({{0.1, 0}, 0.1}), {60, 0, 90, 90}, 180, 180);
   EXPECT_THROW(registered(sun(0.4, {.blur_px = 1, .noise = 0.005}, random), moon), algebra::Error);
   for (const double limb : {1.6, 3.}) {
-    std::string why;
-    try {
-      registered(sun(limb, {.blur_px = 1, .noise = 0.005}, random), moon);
-    } catch (const algebra::Error& error) {
-      why = error.what();
-    }
+    const auto why =
+        refusal_of([&] { registered(sun(limb, {.blur_px = 1, .noise = 0.005}, random), moon); });
     EXPECT_TRUE(why.starts_with("correlation of markings")) << limb << ": " << why;
   }
 }

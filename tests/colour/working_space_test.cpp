@@ -12,6 +12,7 @@
 
 #include "algebra/error.h"
 #include "colour/cie_observer.h"
+#include "support/refusals.h"
 #include "support/within.h"
 
 namespace coppermoon::colour {
@@ -114,13 +115,8 @@ TEST(WorkingSpace, IsSaidByAFilesNameOrAnotherIs) {
 }
 
 TEST(WorkingSpace, RefusesANameItDoesNotKnow) {
-  try {
-    working_space("adobe");
-    FAIL();
-  } catch (const algebra::Error& error) {
-    EXPECT_EQ(std::string(error.what()),
-              "working space \"adobe\", allowed lin_rec709, acescg or lin_ciexyzd65_scene");
-  }
+  EXPECT_EQ(refusal_of([] { working_space("adobe"); }),
+            "working space \"adobe\", allowed lin_rec709, acescg or lin_ciexyzd65_scene");
 }
 
 TEST(IntoGamut, LeavesNoChannelNegativeAndKeepsTheLuminance) {

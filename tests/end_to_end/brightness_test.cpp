@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "almanac/sky.h"
-#include "end_to_end/program.h"
+#include "support/program.h"
 #include "support/within.h"
 
 namespace coppermoon::end_to_end {
@@ -14,9 +14,9 @@ namespace {
 
 class Brightness : public ProgramTest {
  protected:
-  nlohmann::json of(std::vector<std::string> words) const {
-    words.insert(words.begin(), "brightness");
-    words.insert(words.end(), {"--json", "--albedo-map", "built-in", "--texture-width", "512"});
+  nlohmann::json of(Words words) const {
+    words = Words{"brightness"} + words;
+    words += "--json --albedo-map built-in --texture-width 512";
     const auto outcome = coppermoon(words);
     expect_done(outcome);
     return nlohmann::json::parse(outcome.out, nullptr, false);
@@ -25,7 +25,7 @@ class Brightness : public ProgramTest {
 
 TEST_F(Brightness, OfTheFullMoonFollowsFromItsGeometricAlbedo) {
   // m = m_sun − 2.5 lg(p (R/d)²), Sun and Moon at the distances of that moment.
-  const auto full = of({"2008-02-21T03:26:00Z", "--unshadowed", "--photometry", "yapo-cutler"});
+  const auto full = of("2008-02-21T03:26:00Z --unshadowed --photometry yapo-cutler");
   const double sun_au = 0.98880 + 383.6e3 / 149.598e6, moon_km = 383.6e3;
   const double m =
       -26.76 + 5 * std::log10(sun_au) - 2.5 * std::log10(0.12 * std::pow(1737.4 / moon_km, 2));
@@ -52,19 +52,15 @@ TEST_F(Brightness, OfTheFullMoonAtMeanDistancesIsAllens) {
 
 TEST_F(Brightness, OfTheFullMoonIsRedderThanTheSunAsMeasured) {
   // Full Moon B − V = 0.92, the Sun 0.653 (Allen's Astrophysical Quantities).
-  const auto m = of({"2008-02-21T03:26:00Z", "--unshadowed"})["magnitudes"];
+  const auto m = of("2008-02-21T03:26:00Z --unshadowed")["magnitudes"];
   EXPECT_WITHIN(m["B"].get<double>() - m["V"].get<double>(), 0.92, 0.06,
                 "one Apollo 16 soil stands for the whole Moon");
 }
 
 // The paper's air and dust; the standard air is held against six eclipses elsewhere.
-const std::vector<std::string> paper{"--atmosphere", "paper", "--dust-extinction", "4.7e-6"};
+const Words paper = "--atmosphere paper --dust-extinction 4.7e-6";
 
-std::vector<std::string> in_the_papers_air(std::string instant) {
-  std::vector<std::string> words{std::move(instant)};
-  words.insert(words.end(), paper.begin(), paper.end());
-  return words;
-}
+Words in_the_papers_air(const std::string& instant) { return Words{instant} + paper; }
 
 TEST_F(Brightness, OfTheEclipseOf2008IsWhatObserversSaw) {
   // H. C. Vital, REA Brazil: magnitude −2.8 ± 0.3, Danjon 3.0 ± 0.1 at mid-eclipse.

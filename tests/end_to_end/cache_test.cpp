@@ -3,7 +3,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
-#include "end_to_end/program.h"
+#include "support/program.h"
 
 namespace coppermoon::end_to_end {
 namespace {
@@ -21,10 +21,10 @@ class Cache : public ProgramTest {
 
   /// Bakes a texture of some width into the cache.
   std::string baked(int width, const std::string& limit = "") const {
-    const auto outcome =
-        in_cache({"bake", "2018-07-27T19:40:17Z", "--unshadowed", "--albedo-map", "built-in",
-                  "--texture-width", std::to_string(width), "--cache", here("kept").string()},
-                 limit);
+    const auto outcome = in_cache(words_of("bake 2018-07-27T19:40:17Z --unshadowed --albedo-map "
+                                           "built-in --texture-width {} --cache {}",
+                                           width, here("kept")),
+                                  limit);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return outcome.out.substr(0, outcome.out.find('\n'));
   }
@@ -33,7 +33,7 @@ class Cache : public ProgramTest {
     std::filesystem::last_write_time(file, std::filesystem::last_write_time(file) - by);
   }
 
-  json listed() const { return json::parse(in_cache({"cache", "--json"}).out); }
+  json listed() const { return json::parse(in_cache("cache --json").out); }
   static bool is_there(const std::string& file) { return std::filesystem::exists(file); }
 };
 
@@ -65,12 +65,12 @@ TEST_F(Cache, IsCleanedOfWhatWasUsedLongestAgo) {
   const auto bytes =
       static_cast<double>(std::filesystem::file_size(first) + std::filesystem::file_size(third));
   const auto outcome =
-      in_cache({"cache", "--clean", "--limit", std::to_string(bytes / 1e9 + 1e-6)});
+      in_cache(words_of("cache --clean --limit {}", std::to_string(bytes / 1e9 + 1e-6)));
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_TRUE(is_there(first) && is_there(third));
   EXPECT_FALSE(is_there(second)) << outcome.out;
   EXPECT_NE(outcome.out.find("1 textures removed"), std::string::npos) << outcome.out;
-  expect_done(in_cache({"cache", "--clean", "--limit", "0"}));
+  expect_done(in_cache("cache --clean --limit 0"));
   EXPECT_FALSE(is_there(first) || is_there(third));
   EXPECT_EQ(text_of(here("kept/moon.tx")), "somebody else's");
 }
@@ -88,17 +88,18 @@ TEST_F(Cache, HasALimitThatLeavesWhatWasUsedToday) {
 TEST_F(Cache, OfAFolderThatTheUserNamesHasNoLimit) {
   const auto old = baked(64);
   age(old, hours(48));
-  const auto outcome = run({"env", "COPPERMOON_CACHE_LIMIT=0", COPPERMOON_PROGRAM, "bake",
-                            "2018-07-27T19:40:17Z", "--unshadowed", "--albedo-map", "built-in",
-                            "--texture-width", "128", "--cache", here("kept").string()});
+  const auto outcome =
+      run(words_of("env COPPERMOON_CACHE_LIMIT=0 {} bake 2018-07-27T19:40:17Z --unshadowed "
+                   "--albedo-map built-in --texture-width 128 --cache {}",
+                   COPPERMOON_PROGRAM, here("kept")));
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_TRUE(is_there(old)) << "a scene may rely on it";
 }
 
 TEST_F(Cache, RefusesWhatItCannotDo) {
-  EXPECT_EQ(in_cache({"cache", "--limit", "1"}).status, 2);
-  EXPECT_EQ(in_cache({"cache", "--clean", "--list"}).status, 2);
-  EXPECT_EQ(in_cache({"cache", "--clean", "--limit", "-1"}).err,
+  EXPECT_EQ(in_cache("cache --limit 1").status, 2);
+  EXPECT_EQ(in_cache("cache --clean --list").status, 2);
+  EXPECT_EQ(in_cache("cache --clean --limit -1").err,
             "coppermoon: limit [GB] = -1, allowed 0 to 1e+06\n");
   EXPECT_EQ(in_cache({"cache"}, "much").err,
             "coppermoon: COPPERMOON_CACHE_LIMIT [GB] = much, allowed a number of 0 or more\n");

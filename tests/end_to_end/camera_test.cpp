@@ -7,8 +7,8 @@
 
 #include "colour/camera.h"
 #include "colour/glow.h"
-#include "end_to_end/program.h"
 #include "support/luther_camera.h"
+#include "support/program.h"
 #include "support/within.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
@@ -23,12 +23,12 @@ class CameraTest : public ProgramTest {
  protected:
   static Words still(const Words& more, const std::string& output = "a.png",
                      const std::string& air = "undated") {
-    Words words{
-        "still",    deep,  "--at",   new_york, "--albedo-map",    "built-in", "--rays",  "60",
-        "--iso",    "800", "--time", "2",      "--texture-width", "128",      "--width", "90",
-        "--height", "60",  "-o",     output,   "--atmosphere",    air};
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
+    return words_of(
+               "still {} --at {} --albedo-map built-in --rays 60 --iso 800 --time 2 "
+               "--texture-width 128 "
+               "--width 90 --height 60 -o {} --atmosphere {}",
+               deep, new_york, output, air) +
+           more;
   }
 
   void make(const Words& words) const { expect_done(coppermoon(words)); }
@@ -46,9 +46,9 @@ double mean_of_corner(const texture::Image& image, std::size_t channel) {
 }
 
 TEST_F(CameraTest, MakesARawFileAPhotographAndAPictureOfAFrame) {
-  make(still({"--camera", "paper", "--seeing", "2", "--frame", "frame.exr", "--raw", "raw.tif",
-              "--photograph", "photograph.exr"},
-             "a.png", "standard"));
+  make(
+      still("--camera paper --seeing 2 --frame frame.exr --raw raw.tif --photograph photograph.exr",
+            "a.png", "standard"));
   const auto raw = image("raw.tif"), photograph = image("photograph.exr"),
              frame = image("frame.exr");
   EXPECT_EQ(raw.width, 90U);
@@ -70,37 +70,12 @@ TEST_F(CameraTest, MakesARawFileAPhotographAndAPictureOfAFrame) {
 }
 
 TEST_F(CameraTest, WritesARawPhotographThatIsComparedAsACamerasOwn) {
-  make({"still",
-        "2008-02-21T03:26:05Z",
-        "--at",
-        new_york,
-        "--albedo-map",
-        "built-in",
-        "--rays",
-        "60",
-        "--iso",
-        "800",
-        "--time",
-        "1",
-        "--width",
-        "300",
-        "--height",
-        "200",
-        "--camera",
-        "400mm",
-        "--raw",
-        "a.dng",
-        "--seeing",
-        "2",
-        "--focal-length",
-        "1200",
-        "--frame",
-        "frame.exr",
-        "--texture-width",
-        "256",
-        "-o",
-        "a.png"});
-  const auto outcome = coppermoon({"compare", "a.dng", "frame.exr", "--json"});
+  make(words_of(
+      "still 2008-02-21T03:26:05Z --at {} --albedo-map built-in --rays 60 --iso 800 --time 1 "
+      "--width 300 --height 200 --camera 400mm --raw a.dng --seeing 2 --focal-length 1200 "
+      "--frame frame.exr --texture-width 256 -o a.png",
+      new_york));
+  const auto outcome = coppermoon("compare a.dng frame.exr --json");
   expect_done(outcome);
   const auto found = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(found["exposure"]["time_s"], 1);
@@ -119,8 +94,7 @@ TEST_F(CameraTest, WritesARawPhotographThatIsComparedAsACamerasOwn) {
   for (const std::string part : {"u", "v"})
     EXPECT_WITHIN(disc["photo_" + part].get<double>(), disc["render_" + part].get<double>(), 0.002,
                   "half of what is just seen; noise below black is cut off");
-  const auto by_another =
-      coppermoon({"compare", "a.dng", "frame.exr", "--json", "--response", "nikon-d850"});
+  const auto by_another = coppermoon("compare a.dng frame.exr --json --response nikon-d850");
   expect_done(by_another);
   EXPECT_GT(std::abs(nlohmann::json::parse(by_another.out)["disc"]["photo_u"].get<double>() -
                      disc["photo_u"].get<double>()),
@@ -129,12 +103,12 @@ TEST_F(CameraTest, WritesARawPhotographThatIsComparedAsACamerasOwn) {
 }
 
 TEST_F(CameraTest, DevelopsARawPhotographAsItsFrame) {
-  const Words taken{"--camera", "400mm", "--focal-length", "1540", "--response", "colorimetric",
-                    "--noise",  "off",   "--diffraction",  "off"};
+  const Words taken =
+      "--camera 400mm --focal-length 1540 --response colorimetric --noise off --diffraction off";
   auto words = taken;
-  words.insert(words.end(), {"--frame", "frame.exr", "--raw", "a.dng", "--time", "0.3"});
+  words += "--frame frame.exr --raw a.dng --time 0.3";
   make(still(words, "frame.png"));
-  make({"develop", "a.dng", "--time", "0.3", "--f-number", "5.6022", "-o", "raw.png"});
+  make("develop a.dng --time 0.3 --f-number 5.6022 -o raw.png");
   const auto raw = texture::read_light(here("raw.png")),
              frame = texture::read_light(here("frame.png"));
   double light[2] = {};
@@ -145,26 +119,26 @@ TEST_F(CameraTest, DevelopsARawPhotographAsItsFrame) {
 }
 
 TEST_F(CameraTest, SaysThatAFrameIsInTheColoursOfAnotherCamera) {
-  make(still({"--response", "sony-ilce-7m3", "--frame", "frame.exr"}));
+  make(still("--response sony-ilce-7m3 --frame frame.exr"));
   const auto develop = [&](const Words& more) {
-    Words words{"develop", "frame.exr", "--time", "2", "-o", "b.png"};
-    words.insert(words.end(), more.begin(), more.end());
+    Words words = "develop frame.exr --time 2 -o b.png";
+    words += more;
     const auto outcome = coppermoon(words);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return outcome.err;
   };
-  EXPECT_EQ(develop({"--response", "nikon-d850"}),
+  EXPECT_EQ(develop("--response nikon-d850"),
             "coppermoon: frame.exr: its colours are those of sony-ilce-7m3, not of nikon-d850: "
             "make it anew with --response nikon-d850\n");
-  EXPECT_EQ(develop({"--response", "sony-ilce-7m3"}), "");
+  EXPECT_EQ(develop("--response sony-ilce-7m3"), "");
   EXPECT_EQ(develop({}), "");
 }
 
 TEST_F(CameraTest, SetsTheViewUnlessItIsSetByHand) {
-  make(still({"--camera", "400mm", "--frame", "camera.exr"}));
-  make(still({"--focal-length", "400", "--sensor-width", "35.8", "--frame", "hand.exr"}));
+  make(still("--camera 400mm --frame camera.exr"));
+  make(still("--focal-length 400 --sensor-width 35.8 --frame hand.exr"));
   EXPECT_TRUE(image("camera.exr").values == image("hand.exr").values);
-  make(still({"--camera", "400mm", "--focal-length", "800", "--frame", "longer.exr"}));
+  make(still("--camera 400mm --focal-length 800 --frame longer.exr"));
   EXPECT_WITHIN_RELATIVE(number("longer.exr", "coppermoon:pixel_arcsec"),
                          number("camera.exr", "coppermoon:pixel_arcsec") / 2, 1e-5,
                          "read in six digits");
@@ -180,38 +154,34 @@ TEST_F(CameraTest, IsATableOfARecipe) {
   file("camera.toml", above +
                           "[camera]\nmodel = \"paper\"\nseeing = 3\nread-noise = 20\n"
                           "iso = 800\ntime = 2\n");
-  make({"still", "--recipe", "camera.toml", "-o", "table.png"});
-  make(still({"--camera", "paper", "--seeing", "3", "--read-noise", "20"}, "flags.png"));
+  make("still --recipe camera.toml -o table.png");
+  make(still("--camera paper --seeing 3 --read-noise 20", "flags.png"));
   EXPECT_TRUE(image("table.png").values == image("flags.png").values);
-  make({"still", "table.png", "-o", "again.png"});
+  make("still table.png -o again.png");
   EXPECT_EQ(text_of(here("again.png")), text_of(here("table.png")));
 
-  const auto refusal_of = [&](const std::string& table) {
+  const auto refusal = [&](const std::string& table) {
     file("wrong.toml", above + table);
-    const auto outcome = coppermoon({"still", "--recipe", "wrong.toml", "-o", "no.png"});
-    EXPECT_NE(outcome.status, 0);
-    EXPECT_FALSE(std::filesystem::exists(here("no.png")));
-    return outcome.err;
+    return expect_refused("still --recipe wrong.toml -o no.png", "");
   };
-  EXPECT_EQ(refusal_of("[camera]\nmodel = \"paper\"\nseing = 3\n"),
+  EXPECT_EQ(refusal("[camera]\nmodel = \"paper\"\nseing = 3\n"),
             "coppermoon: wrong.toml:11: seing: [camera] has no such key; the nearest is seeing\n");
   EXPECT_EQ(
-      refusal_of("[camera]\nmodel = \"brownie\"\n"),
+      refusal("[camera]\nmodel = \"brownie\"\n"),
       "coppermoon: camera = brownie, allowed paper, 400mm, schmidt-cassegrain, refractor; of a "
       "maker's camera, response says the colours, focal-length and sensor-width the field\n");
-  EXPECT_EQ(refusal_of("seeing = 3\n"),
+  EXPECT_EQ(refusal("seeing = 3\n"),
             "coppermoon: aperture, sensor, noise and files of a camera need a camera: paper, "
             "400mm, schmidt-cassegrain, refractor\n");
-  EXPECT_EQ(refusal_of("[camera]\nmodel = \"paper\"\nread-noise = -1\n"),
+  EXPECT_EQ(refusal("[camera]\nmodel = \"paper\"\nread-noise = -1\n"),
             "coppermoon: read noise [electrons] = -1, allowed 0 to 10000\n");
-  EXPECT_EQ(refusal_of("sky = \"bright\"\n"),
+  EXPECT_EQ(refusal("sky = \"bright\"\n"),
             "coppermoon: sky [mag/arcsec2] = bright, allowed auto, off or 0 to 30\n");
 }
 
 TEST_F(CameraTest, DevelopsAFrameAsStillDoes) {
-  make(still({"--camera", "paper", "--seeing", "2", "--frame", "frame.exr", "--raw", "one.tif"}));
-  make({"develop", "frame.exr", "--camera", "paper", "--seeing", "2", "--time", "2", "--iso", "800",
-        "--raw", "two.tif", "-o", "b.png"});
+  make(still("--camera paper --seeing 2 --frame frame.exr --raw one.tif"));
+  make("develop frame.exr --camera paper --seeing 2 --time 2 --iso 800 --raw two.tif -o b.png");
   const auto one = image("one.tif"), two = image("two.tif");
   double apart = 0;
   for (std::size_t i = 0; i < one.values.size(); ++i)
@@ -222,11 +192,10 @@ TEST_F(CameraTest, DevelopsAFrameAsStillDoes) {
 }
 
 TEST_F(CameraTest, LeftOutCostsNothing) {
-  make(still({"--frame", "frame.exr", "--focal-length", "1540", "--sensor-width", "22.7", "--sky",
-              "off"}));
-  make(still({"--camera", "paper", "--noise", "off", "--diffraction", "off", "--glow", "0", "--sky",
-              "off", "--response", "colorimetric", "--sensor-bits", "16", "--photograph",
-              "photograph.exr"}));
+  make(still("--frame frame.exr --focal-length 1540 --sensor-width 22.7 --sky off"));
+  make(
+      still("--camera paper --noise off --diffraction off --glow 0 --sky off --response "
+            "colorimetric --sensor-bits 16 --photograph photograph.exr"));
   const auto frame = image("frame.exr"), photograph = image("photograph.exr");
   for (std::size_t r = 0; r < frame.height; ++r)
     for (std::size_t c = 0; c < frame.width; ++c)
@@ -238,18 +207,17 @@ TEST_F(CameraTest, LeftOutCostsNothing) {
 /// Moonset in the morning of 2008-02-21 over Kurdistan: the Sun is 5 degrees below.
 TEST_F(CameraTest, SeesTheTwilight) {
   const auto taken = [&](const Words& more, const char* name) {
-    Words words{
-        "still",           deep, "--at",    "36,48", "--camera",     "400mm",    "--noise", "off",
-        "--time",          "1",  "--iso",   "100",   "--albedo-map", "built-in", "--rays",  "60",
-        "--texture-width", "64", "--width", "60",    "--height",     "40",       "-o",      "a.png",
-        "--photograph",    name};
-    words.insert(words.end(), more.begin(), more.end());
+    auto words = words_of(
+        "still {} --at 36,48 --camera 400mm --noise off --time 1 --iso 100 --albedo-map built-in "
+        "--rays 60 --texture-width 64 --width 60 --height 40 -o a.png --photograph {}",
+        deep, name);
+    words += more;
     const auto outcome = coppermoon(words);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return mean_of_corner(image(name), 1);
   };
-  const double off = taken({"--sky", "off", "--atmosphere", "undated"}, "off.exr");
-  const double twilight = taken({"--frame", "frame.exr"}, "twilight.exr") - off;
+  const double off = taken("--sky off --atmosphere undated", "off.exr");
+  const double twilight = taken("--frame frame.exr", "twilight.exr") - off;
   const double sky = number("frame.exr", "coppermoon:sky_cd_m2");
   EXPECT_GT(sky, 0.01);
   EXPECT_LT(sky, 100);
@@ -257,11 +225,10 @@ TEST_F(CameraTest, SeesTheTwilight) {
   const double green = mean_of_corner(frame, 1);
   EXPECT_WITHIN_RELATIVE(green, sky, 0.2, "its colour, and half a degree beside the Moon");
   EXPECT_WITHIN_RELATIVE(twilight, green, 0.01, "a step of 14 bits: 0.2 % of it");
-  const double by_hand = taken({"--sky", "12", "--atmosphere", "undated"}, "hand.exr") - off;
+  const double by_hand = taken("--sky 12 --atmosphere undated", "hand.exr") - off;
   EXPECT_WITHIN_RELATIVE(by_hand, 1.08e5 * std::pow(10, -0.4 * 12), 0.01, "as before");
 
-  const auto outcome =
-      coppermoon({"develop", "frame.exr", "--camera", "400mm", "--view", "raw", "-o", "auto.png"});
+  const auto outcome = coppermoon("develop frame.exr --camera 400mm --view raw -o auto.png");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("times as bright as the Moon"), std::string::npos) << outcome.err;
   const double level = mean_of_corner(image("auto.png"), 1);
@@ -279,34 +246,35 @@ TEST_F(CameraTest, DevelopsAnOlderFrameWithTheSkyOfItsHeader) {
   texture::write_exr(here("older.exr"), frame, older);
   texture::write_exr(here("newer.exr"), frame, newer);
   const auto developed = [&](const std::string& name, const Words& more) {
-    const auto outcome = coppermoon(Words{"develop", name, "--view", "raw", "--time", "8", "--iso",
-                                          "100", "--bits", "16", "-o", "a.png"} +
-                                    more);
+    const auto outcome = coppermoon(
+        words_of("develop {} --view raw --time 8 --iso 100 --bits 16 -o a.png", name) + more);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return mean_of_corner(image("a.png"), 1);
   };
   // ISO 12232: 0.65 t S / (78 N²) of 2 cd/m²
   const double scaled = 2 * 0.65 * 8 * 100 / (78 * 12.1 * 12.1);
   EXPECT_WITHIN(developed("older.exr", {}), scaled, 2e-5, "a step of 16 bits");
-  EXPECT_EQ(developed("older.exr", {"--sky", "off"}), 0);
-  EXPECT_WITHIN_RELATIVE(developed("older.exr", {"--sky", "11"}),
+  EXPECT_EQ(developed("older.exr", "--sky off"), 0);
+  EXPECT_WITHIN_RELATIVE(developed("older.exr", "--sky 11"),
                          scaled / 2 * 1.08e5 * std::pow(10, -0.4 * 11), 1e-3, "steps of 16 bits");
   EXPECT_EQ(developed("newer.exr", {}), 0) << "no second sky";
-  const auto twice = coppermoon({"develop", "newer.exr", "--sky", "14", "-o", "a.png"});
+  const auto twice = coppermoon("develop newer.exr --sky 14 -o a.png");
   EXPECT_EQ(twice.status, 1);
   EXPECT_EQ(twice.err, "coppermoon: newer.exr: holds a sky of 2 cd/m², allowed sky = auto\n");
 }
 
 TEST_F(CameraTest, MergesABracketedSetOfPhotographs) {
-  make(still({"--frame", "frame.exr"}));
+  make(still("--frame frame.exr"));
   Words words{"merge"};
   for (const char* time : {"0.1", "0.8", "6"}) {
     const auto name = "bracket_" + std::string(time) + ".exr";
-    make({"develop", "frame.exr", "--camera", "refractor", "--time", time, "--diffraction", "off",
-          "--glow", "0", "--photograph", name, "-o", "a.png"});
+    make(
+        words_of("develop frame.exr --camera refractor --time {} --diffraction off --glow 0 "
+                 "--photograph {} -o a.png",
+                 time, name));
     words.push_back(name);
   }
-  words.insert(words.end(), {"-o", "merged.exr"});
+  words += "-o merged.exr";
   make(words);
   const auto merged = image("merged.exr"), frame = image("frame.exr");
   double light = 0, there = 0;
@@ -316,7 +284,7 @@ TEST_F(CameraTest, MergesABracketedSetOfPhotographs) {
       light += merged(r, c, 1), there += frame(r, c, 1);
     }
   EXPECT_WITHIN_RELATIVE(light, there, 2e-3, "noise of 5400 pixels of some 1e4 electrons each");
-  const auto outcome = coppermoon({"merge", "frame.exr", "-o", "no.exr"});
+  const auto outcome = coppermoon("merge frame.exr -o no.exr");
   EXPECT_EQ(outcome.err, "coppermoon: frame.exr: channels R, G, B, allowed R, G, B, valid\n");
 }
 
@@ -331,20 +299,20 @@ std::array<double, 3> middle_of(const texture::Image& image) {
 
 TEST_F(CameraTest, OfTheObserversOwnCurvesSeesAsTheObserver) {
   file("luther.csv", luther_camera());
-  make(still({"--stars", "9", "--frame", "cie.exr"}));
-  make(still({"--stars", "9", "--response", "luther.csv", "--frame", "luther.exr"}, "b.png"));
+  make(still("--stars 9 --frame cie.exr"));
+  make(still("--stars 9 --response luther.csv --frame luther.exr", "b.png"));
   const auto cie = image("cie.exr"), luther = image("luther.exr");
   for (std::size_t i = 0; i < cie.values.size(); ++i)
     EXPECT_WITHIN(luther.values[i], cie.values[i], 1e-6 + 1e-3 * cie.values[i], "half floats");
-  make({"still", "b.png", "-o", "again.png", "--frame", "again.exr"});
+  make("still b.png -o again.png --frame again.exr");
   EXPECT_TRUE(image("again.exr").values == luther.values) << "its recipe names the response";
 }
 
 TEST_F(CameraTest, SeesThroughItsOwnFilters) {
-  make(still({"--frame", "cie.exr"}));
+  make(still("--frame cie.exr"));
   const auto cie = middle_of(image("cie.exr"));
   for (const char* name : {"canon-eos-600d", "sony-ilce-7m3"}) {
-    make(still({"--response", name, "--frame", "camera.exr"}, "b.png"));
+    make(still(words_of("--response {} --frame camera.exr", name), "b.png"));
     const auto camera = middle_of(image("camera.exr"));
     EXPECT_GT(camera[2] / camera[0], 1.1 * cie[2] / cie[0])
         << name << ": copper that is less saturated";
@@ -354,27 +322,24 @@ TEST_F(CameraTest, SeesThroughItsOwnFilters) {
 }
 
 TEST_F(CameraTest, CountsWhatItsOwnFiltersPassAndSaysByWhichMatrix) {
-  make(still({"--camera", "400mm", "--focal-length", "1540", "--response", "canon-eos-600d",
-              "--noise",  "off",   "--diffraction",  "off",  "--glow",     "0",
-              "--sky",    "off",   "--time",         "0.3",  "--frame",    "frame.exr",
-              "--raw",    "a.dng"}));
+  make(
+      still("--camera 400mm --focal-length 1540 --response canon-eos-600d --noise off "
+            "--diffraction off --glow 0 --sky off --time 0.3 --frame frame.exr --raw a.dng"));
   const auto frame = middle_of(image("frame.exr")),
              raw = middle_of(texture::read_light(here("a.dng")));
   for (const std::size_t k : {1, 2})
     EXPECT_WITHIN(raw[k] / raw[0], frame[k] / frame[0], 0.01, "a mosaic; 14 bits");
-  make({"develop", "a.dng", "-o", "adobe.png", "--time", "0.3"});
-  make({"develop", "a.dng", "-o", "own.png", "--time", "0.3", "--response", "canon-eos-600d"});
+  make("develop a.dng -o adobe.png --time 0.3");
+  make("develop a.dng -o own.png --time 0.3 --response canon-eos-600d");
   const auto one = middle_of(image("adobe.png")), other = middle_of(image("own.png"));
   for (std::size_t k = 0; k < 3; ++k)
     EXPECT_WITHIN(one[k], other[k], 0.005, "the matrix of the file is that of the response");
 }
 
 TEST_F(CameraTest, OfAFilmIsNoOtherFileOfFilters) {
-  const Words film{
-      "animate",  "2018-07-27", "--from",          "greatest-1s", "--to",       "greatest+1s",
-      "--frames", "2",          "--texture-width", "64",          "--width",    "48",
-      "--height", "32",         "--atmosphere",    "undated",     "--response", "own.csv",
-      "-o",       "film"};
+  const Words film =
+      "animate 2018-07-27 --from greatest-1s --to greatest+1s --frames 2 --texture-width 64 "
+      "--width 48 --height 32 --atmosphere undated --response own.csv -o film";
   const auto own = luther_camera();
   file("own.csv", own);
   make(film);
@@ -391,36 +356,15 @@ using CameraTestThoroughly = CameraTest;
 
 TEST_F(CameraTestThoroughly, GivesEachFrameOfAFilmNoiseOfItsOwn) {
   const auto film = [&](const char* folder, const Words& more = {}) {
-    make(Words{"animate",
-               "2018-07-27",
-               "--from",
-               "greatest-1s",
-               "--to",
-               "greatest+1s",
-               "--frames",
-               "2",
-               "--texture-width",
-               "64",
-               "--width",
-               "48",
-               "--height",
-               "32",
-               "--albedo-map",
-               "built-in",
-               "--rays",
-               "60",
-               "--camera",
-               "400mm",
-               "--time",
-               "1",
-               "-o",
-               folder,
-               "--atmosphere",
-               "undated"} +
+    make(words_of(
+             "animate 2018-07-27 --from greatest-1s --to greatest+1s --frames 2 --texture-width "
+             "64 --width 48 --height 32 --albedo-map built-in --rays 60 --camera 400mm --time 1 "
+             "-o {} --atmosphere undated",
+             folder) +
          more);
   };
   film("one"), film("two");
-  film("canon", {"--response", "canon-eos-600d"});
+  film("canon", "--response canon-eos-600d");
   const auto first = image("one/frame.0001.png"), second = image("one/frame.0002.png");
   EXPECT_FALSE(first.values == second.values);
   EXPECT_TRUE(first.values == image("two/frame.0001.png").values);
@@ -428,37 +372,32 @@ TEST_F(CameraTestThoroughly, GivesEachFrameOfAFilmNoiseOfItsOwn) {
 }
 
 TEST_F(CameraTest, RefusesFilesThatItCannotWrite) {
-  const auto refusal_of = [&](const Words& more) {
-    const auto outcome = coppermoon(still(more));
-    EXPECT_EQ(outcome.status, 1);
-    return outcome.err;
-  };
-  EXPECT_EQ(refusal_of({"--camera", "paper", "--raw", "raw.png"}),
+  const auto refusal = [&](const Words& more) { return expect_refused(still(more), ""); };
+  EXPECT_EQ(refusal("--camera paper --raw raw.png"),
             "coppermoon: raw.png: a raw file ends in .tif, or in .dng\n");
-  EXPECT_EQ(refusal_of({"--camera", "paper", "--response", "luminance", "--raw", "raw.dng"}),
+  EXPECT_EQ(refusal("--camera paper --response luminance --raw raw.dng"),
             "coppermoon: raw.dng: response = luminance, allowed for a raw file that ends in .dng a "
             "sensor that sees colours\n");
   file("wrong.csv", "wavelength_nm,r,g,b\n500,1,1,1\n400,1,1,1\n");
-  EXPECT_EQ(refusal_of({"--response", "wrong.csv"}),
+  EXPECT_EQ(refusal("--response wrong.csv"),
             "coppermoon: wrong.csv: 2 rows of numbers, allowed 10 to 100000\n");
-  EXPECT_EQ(refusal_of({"--response", "lost.csv"}).substr(0, 50),
+  EXPECT_EQ(refusal("--response lost.csv").substr(0, 50),
             "coppermoon: lost.csv: no such file, allowed a .csv");
-  EXPECT_EQ(refusal_of({"--response", "canon-6d"}),
+  EXPECT_EQ(refusal("--response canon-6d"),
             "coppermoon: aperture, sensor, noise and files of a camera need a camera: paper, "
             "400mm, schmidt-cassegrain, refractor\n")
       << "a matrix of a sensor, without one";
-  EXPECT_EQ(refusal_of({"--camera", "paper", "--photograph", "a.tif"}),
+  EXPECT_EQ(refusal("--camera paper --photograph a.tif"),
             "coppermoon: a.tif: a photograph ends in .exr\n");
-  EXPECT_EQ(refusal_of({"--camera", "paper", "--raw", "no/raw.tif"}),
-            "coppermoon: no: no such directory\n");
+  EXPECT_EQ(refusal("--camera paper --raw no/raw.tif"), "coppermoon: no: no such directory\n");
 }
 
 TEST_F(CameraTest, LeavesNoPartOfARawFileOnAFullDisk) {
-  make(still({"--frame", "frame.exr"}));
+  make(still("--frame frame.exr"));
   for (const std::string raw : {"raw.tif", "raw.dng"}) {
-    const auto outcome = coppermoon(
-        {"develop", "frame.exr", "--camera", "paper", "--time", "2", "--raw", raw, "-o", "b.png"},
-        {.file_limit = 2000});
+    const auto outcome =
+        coppermoon(words_of("develop frame.exr --camera paper --time 2 --raw {} -o b.png", raw),
+                   {.file_limit = 2000});
     EXPECT_EQ(outcome.status, 1);
     EXPECT_TRUE(outcome.err.starts_with("coppermoon: " + raw + ": cannot be written: "))
         << outcome.err;

@@ -12,10 +12,10 @@
 #include "baker/almanac/published_rows.h"
 #include "colour/cie_observer.h"
 #include "eclipse/shadow_axis.h"
-#include "end_to_end/program.h"
 #include "photons/solar_disc.h"
 #include "shadow/by_quadrature.h"
 #include "shadow/lookup.h"
+#include "support/program.h"
 #include "support/within.h"
 #include "surface/albedo_map.h"
 #include "texture/read_image.h"
@@ -172,21 +172,20 @@ class BakedCraters : public ProgramTest {
   static constexpr std::size_t rows = 256;  // texels of 21 km: half a minute at most
 
   /// Luminance by texel.
-  algebra::Grid<float> baked(const Instant& when,
-                             const std::vector<std::string>& flags = {}) const {
-    std::vector<std::string> words{"bake",
-                                   almanac::utc_text(when),
-                                   "-o",
-                                   "moon.exr",
-                                   "--type",
-                                   "float",
-                                   "--space",
-                                   "lin_ciexyzd65_scene",
-                                   "--albedo-map",
-                                   "built-in",
-                                   "--texture-width",
-                                   std::to_string(2 * rows)};
-    words.insert(words.end(), flags.begin(), flags.end());
+  algebra::Grid<float> baked(const Instant& when, const Words& flags = {}) const {
+    Words words{"bake",
+                almanac::utc_text(when),
+                "-o",
+                "moon.exr",
+                "--type",
+                "float",
+                "--space",
+                "lin_ciexyzd65_scene",
+                "--albedo-map",
+                "built-in",
+                "--texture-width",
+                std::to_string(2 * rows)};
+    words += flags;
     expect_done(coppermoon(words));
     const auto image = texture::read_image(here("moon.exr"));
     algebra::Grid<float> luminance(rows, 2 * rows);

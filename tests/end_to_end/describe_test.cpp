@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "end_to_end/program.h"
+#include "support/program.h"
 
 namespace coppermoon::end_to_end {
 namespace {
@@ -20,7 +20,7 @@ constexpr const char* eclipsed = "2018-07-27T20:21:45Z";
 class Describe : public ProgramTest {
  protected:
   json commands(const Words& chosen = {}) const {
-    const auto outcome = coppermoon(Words{"describe", "--json"} + chosen);
+    const auto outcome = coppermoon(Words("describe --json") + chosen);
     expect_done(outcome);
     return json::parse(outcome.out).at("commands");
   }
@@ -98,13 +98,13 @@ TEST_F(Describe, OfOneCommandIsThatOfAll) {
     if (command["name"] == "night") {
       EXPECT_EQ(command, one[0]);
     }
-  const auto refused = coppermoon({"describe", "eclipse"});
+  const auto refused = coppermoon("describe eclipse");
   EXPECT_EQ(refused.status, 2);
   EXPECT_EQ(std::ranges::count(refused.err, '\n'), 1);
 }
 
 TEST_F(Describe, WithoutJsonIsATable) {
-  const auto outcome = coppermoon({"describe", "bake"});
+  const auto outcome = coppermoon("describe bake");
   expect_done(outcome);
   for (const char* row :
        {"bake\n", "  ozone-du                 photons  -              0 to 1000 DU\n",
@@ -130,18 +130,17 @@ TEST_F(Describe, MeaningsTellTheRange) {
 /// Command lines that do little, and read all that is asked of them.
 class Ranges : public Describe {
  protected:
-  const Words air{"--atmosphere", "molecular"}, small{"--width", "8", "--height", "8"};
+  const Words air = "--atmosphere molecular", small{"--width", "8", "--height", "8"};
 
-  void SetUp() override { expect_done(coppermoon(still() + Words{"--frame", "frame.exr"})); }
+  void SetUp() override { expect_done(coppermoon(still() + "--frame frame.exr")); }
 
   Words still() const {
-    return Words{"still", eclipsed, "--texture-width", "16", "--tolerance",
-                 "50%",   "-o",     "still.png"} +
-           air + small;
+    return words_of("still {} --texture-width 16 --tolerance 50% -o still.png", eclipsed) + air +
+           small;
   }
 
   Words shadow() const {
-    return Words{"shadow", eclipsed, "--axis-distances", "0", "--wavelengths", "550"} + air;
+    return words_of("shadow {} --axis-distances 0 --wavelengths 550", eclipsed) + air;
   }
 
   /// The command line that one parameter's value is put behind.
@@ -162,20 +161,20 @@ class Ranges : public Describe {
     if (of_camera.contains(name))
       return {"develop", "frame.exr", "--camera", "refractor", "-o", "picture.png"};
     if (name == "step-km")  // without air no step is taken, which would be ten million at the least
-      return Words{"shadow",       eclipsed, "--axis-distances", "0",       "--wavelengths", "550",
-                   "--atmosphere", "none",   "--solver",         "literal", "--photons",     "1"};
-    if (of_photons.contains(name)) return shadow() + Words{"--solver", "photons", "--photons", "1"};
+      return words_of(
+          "shadow {} --axis-distances 0 --wavelengths 550 --atmosphere none --solver literal "
+          "--photons 1",
+          eclipsed);
+    if (of_photons.contains(name)) return shadow() + "--solver photons --photons 1";
     if (of_still.contains(name)) return still();
-    if (name.starts_with("observer")) return still() + Words{"--at", "Nairobi"};
+    if (name.starts_with("observer")) return still() + "--at Nairobi";
     if (!end && (name == "width" || name == "height")) return still();
-    if (of_shadow.contains(name)) return shadow() + Words{"--rays", "20"};
-    if (name == "scale") return Words{"ring", eclipsed, "-o", "ring.exr"} + air;
+    if (of_shadow.contains(name)) return shadow() + "--rays 20";
+    if (name == "scale") return words_of("ring {} -o ring.exr", eclipsed) + air;
     if (name == "ground-albedo")
-      return Words{"dome", eclipsed, "--at", "Nairobi", "-o", "sky.exr", "--width", "16"} + air;
+      return words_of("dome {} --at Nairobi -o sky.exr --width 16", eclipsed) + air;
     if (name == "spectral")
-      return Words{"bake", eclipsed,      "-o", "moon.exr", "--texture-width",
-                   "16",   "--tolerance", "50%"} +
-             air;
+      return words_of("bake {} -o moon.exr --texture-width 16 --tolerance 50%", eclipsed) + air;
     auto plan = Words{"plan", eclipsed} + air;
     if (name == "dust-top-km") plan = plan + Words{"--dust-bottom-km=0"};
     if (name == "dust-bottom-km") plan = plan + Words{"--dust-top-km=86"};

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "end_to_end/program.h"
+#include "support/program.h"
 #include "support/within.h"
 #include "texture/read_image.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-const Words totality{"dome", "2018-07-27T20:22Z", "--at", "Nairobi", "--quality", "draft"};
+const Words totality = "dome 2018-07-27T20:22Z --at Nairobi --quality draft";
 
 class DomeFile : public ProgramTest {
  protected:
@@ -33,11 +33,11 @@ class DomeFile : public ProgramTest {
 };
 
 TEST_F(DomeFile, SaysInItsHeaderWhatItIs) {
-  const auto figures = dome({"--width", "64", "--moon", "on"});
+  const auto figures = dome("--width 64 --moon on");
   const auto image = light();
   EXPECT_EQ(image.width, 64u);
   EXPECT_EQ(image.height, 32u);
-  EXPECT_EQ(image.channels, (Words{"R", "G", "B"}));
+  EXPECT_EQ(image.channels, (Words("R G B")));
   EXPECT_EQ(said("colorInteropID"), "lin_rec709_scene");
   EXPECT_EQ(said("coppermoon:unit"), "cd/m^2");
   EXPECT_EQ(said("coppermoon:moon"), "on");
@@ -49,17 +49,16 @@ TEST_F(DomeFile, SaysInItsHeaderWhatItIs) {
 }
 
 TEST_F(DomeFile, IsMadeAgainFromItsOwnRecipe) {
-  dome({"--width", "64", "--ground-albedo", "0.3", "--stars", "3", "--observer-aerosol", "0.2"});
-  expect_done(coppermoon({"dome", "--recipe", "sky.exr", "-o", "again.exr"}));
+  dome("--width 64 --ground-albedo 0.3 --stars 3 --observer-aerosol 0.2");
+  expect_done(coppermoon("dome --recipe sky.exr -o again.exr"));
   EXPECT_EQ(light().values, light("again.exr").values);
 }
 
 TEST_F(DomeFile, HasTheBrightStarsOfTheSkyInTheirTexels) {
-  const auto listed =
-      coppermoon({"sky", totality[1], "--at", "Nairobi", "--stars", "1.5", "--json"});
+  const auto listed = coppermoon(words_of("sky {} --at Nairobi --stars 1.5 --json", totality[1]));
   expect_done(listed);
-  dome({"--stars", "1.5", "--width", "1024", "--type", "float"});
-  dome({"--stars", "off", "--width", "1024", "--type", "float"}, "none.exr");
+  dome("--stars 1.5 --width 1024 --type float");
+  dome("--stars off --width 1024 --type float", "none.exr");
   const auto with = light(), without = light("none.exr");
   std::size_t seen = 0;
   const auto sky = json::parse(listed.out);
@@ -97,8 +96,8 @@ TEST_F(DomeFile, HasTheBrightStarsOfTheSkyInTheirTexels) {
 }
 
 TEST_F(DomeFile, IsThatOfAnyOtherNightToo) {
-  const auto outcome = coppermoon(
-      {"dome", "2018-08-11T20:00Z", "--at", "Nairobi", "--width", "16", "-o", "sky.exr", "--json"});
+  const auto outcome =
+      coppermoon("dome 2018-08-11T20:00Z --at Nairobi --width 16 -o sky.exr --json");
   expect_done(outcome);
   const auto new_moon = json::parse(outcome.out);
   EXPECT_LT(new_moon["moon_altitude_deg"].get<double>(), 0) << "a new Moon at 23 h";
@@ -107,10 +106,10 @@ TEST_F(DomeFile, IsThatOfAnyOtherNightToo) {
 
 TEST_F(DomeFile, IsRefusedInOneLine) {
   for (const auto& [words, part] :
-       {std::pair{Words{"dome", totality[1], "-o", "sky.exr"}, "--at"},
-        {totality + Words{"-o", "sky.png"}, ".exr"},
-        {totality + Words{"-o", "sky.exr", "--width", "18"}, "multiples of 4"},
-        {totality + Words{"-o", "sky_acescg.exr", "--space", "lin_rec709"}, "acescg"}}) {
+       {std::pair{words_of("dome {} -o sky.exr", totality[1]), "--at"},
+        {totality + "-o sky.png", ".exr"},
+        {totality + "-o sky.exr --width 18", "multiples of 4"},
+        {totality + "-o sky_acescg.exr --space lin_rec709", "acescg"}}) {
     const auto outcome = coppermoon(words);
     EXPECT_NE(outcome.status, 0);
     EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "baker/almanac/published_rows.h"
-#include "end_to_end/program.h"
 #include "measurements/umbral_light.h"
+#include "support/program.h"
 #include "support/within.h"
 #include "uses/picture/brightness.h"
 
@@ -23,7 +23,7 @@ struct Eclipse {
 };
 
 /// Air alike everywhere and always.
-const Words undated{"--atmosphere", "undated"};
+const Words undated = "--atmosphere undated";
 
 class Eclipses : public ProgramTest {
  protected:
@@ -37,14 +37,14 @@ class Eclipses : public ProgramTest {
   }
 
   Eclipse eclipse_of(const std::string& date) const {
-    const auto all = said({"almanac", "--from", date, "--to", date + "T23:59:59Z"});
+    const auto all = said(words_of("almanac --from {} --to {}", date, date + "T23:59:59Z"));
     EXPECT_EQ(all.size(), 1U) << date;
     return {all.at(0)["greatest"], all.at(0)["umbral_magnitude"]};
   }
 
   nlohmann::json brightness(const std::string& instant, const Words& flags = {}) const {
-    Words words{"brightness", instant, "--texture-width", "512"};
-    words.insert(words.end(), flags.begin(), flags.end());
+    auto words = words_of("brightness {} --texture-width 512", instant);
+    words += flags;
     return said(words);
   }
 
@@ -150,18 +150,18 @@ TEST_F(EclipsesThoroughly, LieWithinTheStandardErrorAsOftenAsIsStated) {
 
 TEST_F(Eclipses, AreDarkerByTheStratosphereAsTheErrorTakesIt) {
   const std::string greatest = "2004-10-28T03:04:07Z";
-  const double thin = V(greatest, {"--stratospheric-aerosol", "0.008"}),
-               thick = V(greatest, {"--stratospheric-aerosol", "0.016"});
+  const double thin = V(greatest, "--stratospheric-aerosol 0.008"),
+               thick = V(greatest, "--stratospheric-aerosol 0.016");
   EXPECT_WITHIN((thick - thin) / 0.008, 50, 10, "40 to 58 mag in six eclipses");
   EXPECT_TRUE(brightness(greatest, undated)["V_error"].is_null()) << "no air of a month";
-  EXPECT_TRUE(brightness(greatest, {"--ozone-du", "300"})["V_error"].is_null()) << "changed";
+  EXPECT_TRUE(brightness(greatest, "--ozone-du 300")["V_error"].is_null()) << "changed";
   EXPECT_WITHIN(brightness(greatest)["V_error"].get<double>(), 0.23, 0.01, "quiet years, measured");
   EXPECT_WITHIN(brightness("2050-05-06T22:30:57Z")["V_error"].get<double>(), std::hypot(0.23, 0.15),
                 1e-9, "aerosol of the future: 50 times 0.003");
 }
 
 TEST_F(Eclipses, AreListedWithTheirBrightness) {
-  const auto all = said({"almanac", "--from", "2022-01-01", "--to", "2023-06-01", "--brightness"});
+  const auto all = said("almanac --from 2022-01-01 --to 2023-06-01 --brightness");
   ASSERT_EQ(all.size(), 3U);
   for (const std::size_t total : {0, 1}) {
     const auto alone = brightness(all[total]["greatest"]);

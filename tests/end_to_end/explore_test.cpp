@@ -88,7 +88,7 @@ class SharedPage {
  private:
   void ask() {
     const ProgramFolder folder;
-    expect_done(folder.coppermoon(Words{"explore", "-o", "a.html"} + words_));
+    expect_done(folder.coppermoon(Words("explore -o a.html") + words_));
     EXPECT_EQ(folder.listing(), std::set<std::string>{"here/a.html"});
     text_ = text_of(folder.here("a.html"));
     std::string all;
@@ -121,7 +121,7 @@ class SharedPage {
   json answers_;
 };
 
-SharedPage page_2018({"2018-07-27", "--at", "Nairobi"}), page_2022({"2022-05-16"});
+SharedPage page_2018("2018-07-27 --at Nairobi"), page_2022("2022-05-16");
 
 /// What a script returns on a page that tests share.
 class Asked {
@@ -150,9 +150,8 @@ class Explore : public ProgramTest {
   }
 
   texture::Image baked(const std::string& when, const Words& more = {}) const {
-    const auto outcome = coppermoon(
-        Words{"bake", when, "--texture-width", "2048", "--tolerance", "0.2%", "-o", "b.exr"} +
-        more);
+    const auto outcome =
+        coppermoon(words_of("bake {} --texture-width 2048 --tolerance 0.2% -o b.exr", when) + more);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return texture::read_image(here("b.exr"));
   }
@@ -301,7 +300,7 @@ TEST_F(ExploreLight, IsThatOfABakedTextureAfterAnEruption) {
 }
 
 TEST_F(ExploreLightThoroughly, IsThatOfABakedTextureInAPartialEclipseAndUndatedAir) {
-  const Words undated{"--atmosphere", "undated"}, times{"2008-08-16T21:10:07Z"};
+  const Words undated = "--atmosphere undated", times{"2008-08-16T21:10:07Z"};
   make("2008-08-16", undated);
   expect_light_of_bakes(in_browser(light_at(times)), times, undated);
 }
@@ -434,7 +433,7 @@ TEST_F(Explore, PlacesAreSeenWhereTheCameraSeesThem) {
   }
 }
 
-const Words measured{"2022-05-16T03:00:00Z", "2022-05-16T04:11:32Z"};
+const Words measured = "2022-05-16T03:00:00Z 2022-05-16T04:11:32Z";
 const Asked magnitudes(page_2022, [] {
   return fmt::format(
       "return {}.map((when) => {{ page.set({{ms: Date.parse(when)}}); return "
@@ -468,9 +467,9 @@ const Asked light_of_the_sky(
 
 TEST_F(Explore, SkyIsTheClearSkyAroundTheMoon) {
   const auto said = light_of_the_sky.answer();
-  const auto outcome =
-      coppermoon({"brightness", "2018-07-27", "--from", "2018-07-27T19:00Z", "--to",
-                  "2018-07-27T22:00Z", "--step", "30", "--at", "52.52,13.41", "--json"});
+  const auto outcome = coppermoon(
+      "brightness 2018-07-27 --from 2018-07-27T19:00Z --to 2018-07-27T22:00Z --step 30 --at "
+      "52.52,13.41 --json");
   const auto moments = json::parse(outcome.out)["moments"];
   for (const auto& [i, moment] : {std::pair{0, 0}, {1, 1}, {2, 2}, {3, 6}})
     EXPECT_WITHIN_RELATIVE(luminance(said[i][0], said[i][1], said[i][2]),
@@ -811,8 +810,8 @@ TEST_F(Explore, PagesAreOneFileNeedNoNetworkAndFitAPhone) {
 using ExploreThoroughly = Explore;
 
 TEST_F(ExploreThoroughly, FragmentsStandBesideEachOther) {
-  make("2018-07-27", {"--embed", "--atmosphere", "clear"}, "one.html");
-  make("2025-03-14", {"--embed", "--atmosphere", "undated"}, "other.html");
+  make("2018-07-27", "--embed --atmosphere clear", "one.html");
+  make("2025-03-14", "--embed --atmosphere undated", "other.html");
   EXPECT_EQ(text_of(here("one.html")).find("<html"), std::string::npos);
   file("a.html", "<body><style>canvas { border: 9px solid red; }</style>" +
                      text_of(here("one.html")) + text_of(here("other.html")));
@@ -840,10 +839,8 @@ TEST_F(ExploreThoroughly, FragmentsStandBesideEachOther) {
 TEST_F(Explore, NamesOfFilesBreakNoPage) {
   const auto map = file("<!--<script> & '.png", "");
   ASSERT_EQ(
-      run({"oiiotool", "--pattern", "constant:color=0.2,0.2,0.2", "64x32", "3", "-o", map.string()})
-          .status,
-      0);
-  make("2018-07-27", {"--albedo-map", map.string(), "--atmosphere", "undated"});
+      run(words_of("oiiotool --pattern constant:color=0.2,0.2,0.2 64x32 3 -o {}", map)).status, 0);
+  make("2018-07-27", words_of("--albedo-map {} --atmosphere undated", map));
   const auto said = in_browser("return page.facts.options;");
   EXPECT_NE(said.get<std::string>().find("<!--<script> & "), std::string::npos);
   EXPECT_EQ(text_of(here("a.html")).find(here().string()), std::string::npos)
@@ -852,7 +849,7 @@ TEST_F(Explore, NamesOfFilesBreakNoPage) {
 
 TEST_F(Explore, ACalendarListsItsPages) {
   const auto calendar = [](const char* from, const char* to) {
-    return Words{"explore", "--from", from, "--to", to, "-o", "year", "--atmosphere", "undated"};
+    return words_of("explore --from {} --to {} -o year --atmosphere undated", from, to);
   };
   const auto year = calendar("2025-01-01", "2025-12-31");
   const auto outcome = coppermoon(year);
@@ -884,13 +881,12 @@ TEST_F(Explore, ACalendarListsItsPages) {
 }
 
 TEST_F(Explore, WhatIsNoPageIsRefused) {
-  EXPECT_EQ(coppermoon({"explore", "2018-07-27", "-o", "a.png"}).err,
+  EXPECT_EQ(coppermoon("explore 2018-07-27 -o a.png").err,
             "coppermoon: a.png: a page ends in .html\n");
-  EXPECT_EQ(coppermoon({"explore", "-o", "a.html"}).status, 2);
-  EXPECT_EQ(coppermoon({"explore", "2018-07-27", "--from", "2020-01-01", "-o", "a.html"}).status,
-            2);
-  EXPECT_EQ(coppermoon({"explore", "--from", "2020-01-01", "-o", "a"}).status, 2);
-  EXPECT_EQ(coppermoon({"explore", "--from", "2020-01-20", "--to", "2020-01-30", "-o", "a"}).err,
+  EXPECT_EQ(coppermoon("explore -o a.html").status, 2);
+  EXPECT_EQ(coppermoon("explore 2018-07-27 --from 2020-01-01 -o a.html").status, 2);
+  EXPECT_EQ(coppermoon("explore --from 2020-01-01 -o a").status, 2);
+  EXPECT_EQ(coppermoon("explore --from 2020-01-20 --to 2020-01-30 -o a").err,
             "coppermoon: from 2020-01-20 to 2020-01-30: no eclipse of the Moon\n");
   EXPECT_EQ(listing(), std::set<std::string>{});
 }

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "end_to_end/luminance.h"
-#include "end_to_end/program.h"
+#include "support/program.h"
 #include "support/within.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
@@ -57,16 +57,17 @@ class Exposure : public ProgramTest {
     texture::write_exr(here("grey.exr"), map, {});
   }
 
-  static Words with_grey_moon(Words words) {
-    words.insert(words.begin() + 1, {mid_eclipse, "--unshadowed", "--albedo-map", "grey.exr",
-                                     "--texture-width", "64", "--photometry", "yapo-cutler"});
-    return words;
+  static Words with_grey_moon(const Words& words) {
+    return words + words_of(
+                       "{} --unshadowed --albedo-map grey.exr --texture-width 64 --photometry "
+                       "yapo-cutler",
+                       mid_eclipse);
   }
 
   /// The texture, made once for all tests.
   texture::Image baked() const {
     static const auto moon = [this] {
-      expect_done(coppermoon(with_grey_moon({"bake", "-o", "moon.exr"})));
+      expect_done(coppermoon(with_grey_moon("bake -o moon.exr")));
       return texture::read_image(here("moon.exr"));
     }();
     return moon;
@@ -83,27 +84,10 @@ class Exposure : public ProgramTest {
 
  private:
   std::pair<std::string, texture::Image> rendered(const std::string& view) const {
-    expect_done(coppermoon(with_grey_moon({"still",
-                                           "--width",
-                                           "64",
-                                           "--height",
-                                           "64",
-                                           "--field",
-                                           "0.6",
-                                           "--frame",
-                                           "frame.exr",
-                                           "-o",
-                                           "picture.png",
-                                           "--bits",
-                                           "16",
-                                           "--view",
-                                           view,
-                                           "--time",
-                                           std::to_string(time_s),
-                                           "--f-number",
-                                           std::to_string(f_number),
-                                           "--iso",
-                                           std::to_string(iso)})));
+    expect_done(coppermoon(with_grey_moon(words_of(
+        "still --width 64 --height 64 --field 0.6 --frame frame.exr -o picture.png --bits 16 "
+        "--view {} --time {} --f-number {} --iso {}",
+        view, time_s, f_number, iso))));
     return {text_of(here("frame.exr")), texture::read_image(here("picture.png"))};
   }
 };
@@ -143,8 +127,9 @@ TEST_F(Exposure, ThePictureWithoutToneMappingIsTheSameBehindSrgb) {
 TEST_F(Exposure, ALongerExposureDevelopsBrighterAlike) {
   picture("Raw");
   const auto developed = [&](const char* time, const char* name) {
-    expect_done(coppermoon({"develop", "frame.exr", "-o", name, "--view", "Raw", "--bits", "16",
-                            "--time", time, "--f-number", "11", "--iso", "100"}));
+    expect_done(coppermoon(
+        words_of("develop frame.exr -o {} --view Raw --bits 16 --time {} --f-number 11 --iso 100",
+                 name, time)));
     return luminance_in_the_middle(texture::read_image(here(name)));
   };
   EXPECT_WITHIN_RELATIVE(developed("0.004", "longer.png"), 4 * developed("0.001", "shorter.png"),
@@ -153,8 +138,7 @@ TEST_F(Exposure, ALongerExposureDevelopsBrighterAlike) {
 
 TEST_F(Exposure, WithoutATimeTheBrightestComesToFourFifths) {
   picture("Raw");
-  expect_done(
-      coppermoon({"develop", "frame.exr", "-o", "auto.png", "--view", "Raw", "--bits", "16"}));
+  expect_done(coppermoon("develop frame.exr -o auto.png --view Raw --bits 16"));
   EXPECT_WITHIN(red_in_the_middle(texture::read_image(here("auto.png"))), 0.8, 0.01,
                 "the middle of a full Moon is among its brightest, but for the half floats");
 }
@@ -164,13 +148,13 @@ TEST_F(Exposure, OfAnotherProgramsSceneIsACamerasWhereOneIsMeant) {
   for (float& value : land.values) value = 1e-3F;
   texture::write_exr(here("land.exr"), land, {});
   const auto made = [&](const Words& more) {
-    return coppermoon(Words{"develop", "land.exr", "-o", "land.png"} + more).out;
+    return coppermoon(Words("develop land.exr -o land.png") + more).out;
   };
   EXPECT_EQ(made({}), "land.png: white is 0.00125 cd/m²\n") << "80 % of it are 0.001";
   for (const char* name : {"expTime", "aperture", "isoSpeed"})
     EXPECT_FALSE(texture::read_attribute(here("land.png"), name)) << name;
   EXPECT_TRUE(made({"--json"}).find("time_s") == std::string::npos);
-  EXPECT_EQ(made({"--time", "2"}), "land.png: exposed for 2 s, f/12.1, ISO 800\n");
+  EXPECT_EQ(made("--time 2"), "land.png: exposed for 2 s, f/12.1, ISO 800\n");
   EXPECT_EQ(texture::read_attribute(here("land.png"), "expTime"), "2");
 }
 

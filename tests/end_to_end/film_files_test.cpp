@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "end_to_end/program.h"
+#include "support/program.h"
 #include "support/within.h"
 #include "texture/read_image.h"
 
@@ -14,37 +14,12 @@ namespace {
 class FilmFiles : public ProgramTest {
  protected:
   static Words film(const Words& more, const std::string& air = "undated") {
-    Words words{"animate",
-                "2018-07-27",
-                "--from",
-                "2018-07-27T18:40:00Z",
-                "--to",
-                "2018-07-27T20:20:00Z",
-                "--frames",
-                "3",
-                "--make",
-                "textures",
-                "--albedo-map",
-                "built-in",
-                "--texture-width",
-                "512",
-                "--atmosphere",
-                air,
-                "-o",
-                "film"};
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-  }
-
-  void expect_refused(const Words& more, std::string_view part,
-                      const Surroundings& around = {}) const {
-    const auto before = listing();
-    const auto outcome = coppermoon(film(more), around);
-    EXPECT_EQ(outcome.status, 1) << outcome.err;
-    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
-    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(listing(), before);
+    return words_of(
+               "animate 2018-07-27 --from 2018-07-27T18:40:00Z --to 2018-07-27T20:20:00Z --frames "
+               "3 "
+               "--make textures --albedo-map built-in --texture-width 512 --atmosphere {} -o film",
+               air) +
+           more;
   }
 };
 
@@ -69,12 +44,12 @@ std::vector<Row> rows_of(const std::string& csv) {
 }
 
 TEST_F(FilmFiles, CurveSaysWhatTheVerbBrightnessDoes) {
-  expect_done(coppermoon(film({"--curve", "film/curve.csv"}, "standard")));
+  expect_done(coppermoon(film("--curve film/curve.csv", "standard")));
   const auto rows = rows_of(text_of(here("film/curve.csv")));
   ASSERT_EQ(rows.size(), 3);
   for (const auto& row : rows) {
-    const auto outcome = coppermoon({"brightness", row.instant, "--json", "--albedo-map",
-                                     "built-in", "--texture-width", "512"});
+    const auto outcome = coppermoon(
+        words_of("brightness {} --json --albedo-map built-in --texture-width 512", row.instant));
     const auto all = nlohmann::json::parse(outcome.out);
     EXPECT_WITHIN(row.magnitude, all["magnitudes"]["V"].get<double>(), 5e-4,
                   "another simulation, on twice as many rows: 1.2e-4 found over a whole eclipse");
@@ -87,7 +62,7 @@ TEST_F(FilmFiles, CurveSaysWhatTheVerbBrightnessDoes) {
 }
 
 TEST_F(FilmFiles, CurveHasTheInstantsOfItsRangeAndTheHoursFromGreatest) {
-  expect_done(coppermoon(film({"--range", "3,1", "--curve", "curve.csv"})));
+  expect_done(coppermoon(film("--range 3,1 --curve curve.csv")));
   const auto rows = rows_of(text_of(here("curve.csv")));
   ASSERT_EQ(rows.size(), 2);
   EXPECT_EQ(rows[0].instant, "2018-07-27T18:40:00.000Z");
@@ -98,7 +73,7 @@ TEST_F(FilmFiles, CurveHasTheInstantsOfItsRangeAndTheHoursFromGreatest) {
 }
 
 TEST_F(FilmFiles, CurveIsDrawnWithTheContactsWithinIt) {
-  expect_done(coppermoon(film({"--curve", "curve.svg", "--curve", "curve.png"})));
+  expect_done(coppermoon(film("--curve curve.svg --curve curve.png")));
   const auto svg = text_of(here("curve.svg"));
   for (const char* word : {"<svg", ">U2<", ">hours from greatest eclipse<", ">V magnitude<"})
     EXPECT_NE(svg.find(word), std::string::npos) << word;
@@ -108,42 +83,41 @@ TEST_F(FilmFiles, CurveIsDrawnWithTheContactsWithinIt) {
 }
 
 TEST_F(FilmFiles, AreToldAsEvents) {
-  const auto outcome = coppermoon(film({"--json", "--curve", "curve.csv"}));
+  const auto outcome = coppermoon(film("--json --curve curve.csv"));
   expect_done(outcome);
   EXPECT_NE(outcome.out.find(R"({"event":"file","file":"curve.csv"})"), std::string::npos)
       << outcome.out;
 }
 
 TEST_F(FilmFiles, OfAShardAreRefused) {
-  for (const Words& more : {Words{"--curve", "a.csv"}, Words{"--movie", "a.mp4"},
-                            Words{"--composite", "a.png"}, Words{"--contact-sheet", "a.png"}}) {
-    Words words{"--shard", "1/2"};
-    words.insert(words.end(), more.begin(), more.end());
-    expect_refused(words, more.front() + " needs every frame: run it without --shard after all");
+  for (const Words& more : {Words("--curve a.csv"), Words("--movie a.mp4"),
+                            Words("--composite a.png"), Words("--contact-sheet a.png")}) {
+    expect_refused(film("--shard 1/2" + more),
+                   more.front() + " needs every frame: run it without --shard after all");
   }
 }
 
 TEST_F(FilmFiles, OfOtherEndingsAreRefused) {
-  expect_refused({"--curve", "a.txt"},
+  expect_refused(film("--curve a.txt"),
                  "a.txt: a curve ends in .csv (numbers), .png (plot), .svg (plot), .pdf (plot)");
-  expect_refused({"--movie", "a.avi"}, "a.avi: a movie ends in .mp4 or .mov");
-  expect_refused({"--contact-sheet", "a.jpg"}, "a.jpg: a contact sheet ends in .png");
-  expect_refused({"--composite", "a.exr"}, "a.exr: a composite ends in .png");
+  expect_refused(film("--movie a.avi"), "a.avi: a movie ends in .mp4 or .mov");
+  expect_refused(film("--contact-sheet a.jpg"), "a.jpg: a contact sheet ends in .png");
+  expect_refused(film("--composite a.exr"), "a.exr: a composite ends in .png");
 }
 
 TEST_F(FilmFiles, InFoldersThatAreNotThereAreRefused) {
-  expect_refused({"--curve", "nowhere/a.csv"}, "nowhere: no such directory");
+  expect_refused(film("--curve nowhere/a.csv"), "nowhere: no such directory");
 }
 
 TEST_F(FilmFiles, OfFfmpegAreRefusedWhereItIsNot) {
-  expect_refused({"--make", "pictures", "--movie", "a.mp4"},
-                 "ffmpeg: not found; install the package ffmpeg", {.path = "/nowhere"});
+  expect_refused(film("--make pictures --movie a.mp4"),
+                 "ffmpeg: not found; install the package ffmpeg", could_not, {.path = "/nowhere"});
 }
 
 TEST_F(FilmFiles, MayBeMipmappedTexturesOfAFewMoments) {
-  const Words words{"animate",         "2018-07-27", "--moments",    "U1,U2+5min,greatest",
-                    "--make",          "tx",         "--atmosphere", "undated",
-                    "--texture-width", "64",         "-o",           "film"};
+  const Words words =
+      "animate 2018-07-27 --moments U1,U2+5min,greatest --make tx --atmosphere undated "
+      "--texture-width 64 -o film";
   expect_done(coppermoon(words));
   EXPECT_EQ(listing(),
             (std::set<std::string>{
@@ -156,11 +130,10 @@ TEST_F(FilmFiles, MayBeMipmappedTexturesOfAFewMoments) {
   EXPECT_EQ(texture::read_attribute(last, "textureformat"), "Plain Texture");
   const auto again = coppermoon(words);
   EXPECT_NE(again.out.find("0 frames made, 3 kept"), std::string::npos) << again.out;
+  EXPECT_EQ(coppermoon("animate 2018-07-27 --moments U1 --from U1 -o film").err,
+            "coppermoon: moments = U1, allowed without --from and --to\n");
   EXPECT_EQ(
-      coppermoon({"animate", "2018-07-27", "--moments", "U1", "--from", "U1", "-o", "film"}).err,
-      "coppermoon: moments = U1, allowed without --from and --to\n");
-  EXPECT_EQ(
-      coppermoon({"animate", "2018-07-27", "--make", "tx,frames", "-o", "other"}).err,
+      coppermoon("animate 2018-07-27 --make tx,frames -o other").err,
       "coppermoon: tx are textures without parts and frames, allowed in a film of their own\n");
 }
 

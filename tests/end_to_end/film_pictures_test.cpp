@@ -6,7 +6,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "end_to_end/program.h"
+#include "support/program.h"
 #include "support/within.h"
 #include "texture/contact_sheet.h"
 #include "texture/read_image.h"
@@ -21,34 +21,11 @@ double coded(double linear) {
 class FilmPictures : public ProgramTest {
  protected:
   static Words film(const Words& more) {
-    Words words{"animate",
-                "2018-07-27",
-                "--at",
-                "-21.1,55.5",
-                "--frames",
-                "5",
-                "--from",
-                "U1+20min",
-                "--to",
-                "U2+10min",
-                "--make",
-                "frames,pictures",
-                "--width",
-                "33",
-                "--height",
-                "25",
-                "--field",
-                "0.9",
-                "--texture-width",
-                "64",
-                "--albedo-map",
-                "built-in",
-                "--atmosphere",
-                "undated",
-                "-o",
-                "film"};
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
+    return Words(
+               "animate 2018-07-27 --at -21.1,55.5 --frames 5 --from U1+20min --to U2+10min --make "
+               "frames,pictures --width 33 --height 25 --field 0.9 --texture-width 64 --albedo-map "
+               "built-in --atmosphere undated -o film") +
+           more;
   }
 
   texture::Image picture(int frame) const {
@@ -108,7 +85,7 @@ double mean(const texture::Image& image, std::size_t top, std::size_t left, std:
 }
 
 TEST_F(FilmPictures, OnAContactSheetHaveTheirOwnLight) {
-  expect_done(coppermoon(film({"--contact-sheet", "film/sheet.png"})));
+  expect_done(coppermoon(film("--contact-sheet film/sheet.png")));
   const auto sheet = texture::read_image(here("film/sheet.png"));
   const auto grid = texture::sheet_grid(5, 3, 33, 25);
   ASSERT_EQ(sheet.width, grid.width());
@@ -131,11 +108,11 @@ std::string colour_box(int primaries, int transfer, int matrix) {
 constexpr int bt709 = 1, p3_d65 = 12, srgb = 13;
 
 TEST_F(FilmPictures, AsAMovieAreAllThereInOrder) {
-  expect_done(coppermoon(film({"--range", "1-5x2", "--movie", "film.mp4", "--fps", "23.976"})));
-  const auto probed = run({"ffprobe", "-v", "error", "-count_frames", "-show_entries",
-                           "stream=codec_name,width,height,pix_fmt,color_range,color_space,"
-                           "color_transfer,color_primaries,r_frame_rate,nb_read_frames",
-                           "-of", "csv=p=0", "film.mp4"});
+  expect_done(coppermoon(film("--range 1-5x2 --movie film.mp4 --fps 23.976")));
+  const auto probed =
+      run("ffprobe -v error -count_frames -show_entries "
+          "stream=codec_name,width,height,pix_fmt,color_range,color_space,color_transfer,color_"
+          "primaries,r_frame_rate,nb_read_frames -of csv=p=0 film.mp4");
   EXPECT_EQ(probed.out, "h264,34,26,yuv420p,tv,bt709,iec61966-2-1,bt709,24000/1001,3\n");
   const auto bytes = text_of(here("film.mp4"));
   EXPECT_LT(bytes.find("moov"), bytes.find("mdat")) << "it can be shown while it comes";
@@ -143,15 +120,15 @@ TEST_F(FilmPictures, AsAMovieAreAllThereInOrder) {
 }
 
 TEST_F(FilmPictures, AsAMovieForEditingAreProRes) {
-  expect_done(coppermoon(film({"--range", "3", "--make", "textures", "--movie", "film.mov", "--fps",
-                               "23.976", "--time", "auto", "--view", "Un-tone-mapped"})));
-  const auto probed = run({"ffprobe", "-v", "error", "-show_entries",
-                           "stream=codec_name,profile,width,height,pix_fmt,color_range,color_space,"
-                           "color_transfer,color_primaries,r_frame_rate",
-                           "-of", "csv=p=0", "film.mov"});
+  expect_done(
+      coppermoon(film("--range 3 --make textures --movie film.mov --fps 23.976 --time auto --view "
+                      "Un-tone-mapped")));
+  const auto probed =
+      run("ffprobe -v error -show_entries "
+          "stream=codec_name,profile,width,height,pix_fmt,color_range,color_space,color_transfer,"
+          "color_primaries,r_frame_rate -of csv=p=0 film.mov");
   EXPECT_EQ(probed.out, "prores,HQ,34,26,yuv422p10le,tv,bt709,iec61966-2-1,bt709,24000/1001\n");
-  ASSERT_EQ(run({"ffmpeg", "-v", "error", "-i", "film.mov", "-pix_fmt", "rgb24", "one.png"}).status,
-            0);
+  ASSERT_EQ(run("ffmpeg -v error -i film.mov -pix_fmt rgb24 one.png").status, 0);
   const auto same = [](double level) { return level; };
   EXPECT_WITHIN(mean(texture::read_image(here("one.png")), 0, 0, 25, 33, same),
                 mean(picture(3), 0, 0, 25, 33, same), 1.5 / 255,
@@ -163,20 +140,20 @@ TEST_F(FilmPictures, AsAMovieAreTaggedAsTheirDisplayIs) {
        {std::tuple("Rec.1886 Rec.709", "bt709,bt709,bt709\n", colour_box(bt709, bt709, bt709)),
         std::tuple("Display P3", "bt709,iec61966-2-1,smpte432\n",
                    colour_box(p3_d65, srgb, bt709))}) {
-    expect_done(coppermoon(
-        film({"--range", "3", "--movie", "film.mp4", "--display", display, "--replace"})));
+    expect_done(
+        coppermoon(film(words_of("--range 3 --movie film.mp4 --display {} --replace", display))));
     const auto probed =
-        run({"ffprobe", "-v", "error", "-show_entries",
-             "stream=color_space,color_transfer,color_primaries", "-of", "csv=p=0", "film.mp4"});
+        run("ffprobe -v error -show_entries stream=color_space,color_transfer,color_primaries -of "
+            "csv=p=0 film.mp4");
     EXPECT_EQ(probed.out, stream) << display;
     EXPECT_NE(text_of(here("film.mp4")).find(box), std::string::npos) << display;
   }
 }
 
 TEST_F(FilmPictures, AsAMovieKeepTheirLight) {
-  expect_done(coppermoon(film({"--range", "1-5x2", "--movie", "film.mp4"})));
-  ASSERT_EQ(run({"ffmpeg", "-v", "error", "-i", "film.mp4", "-vf", "select=eq(n\\,1)", "-frames:v",
-                 "1", "-pix_fmt", "rgb24", "middle.png"})
+  expect_done(coppermoon(film("--range 1-5x2 --movie film.mp4")));
+  ASSERT_EQ(run(words_of("ffmpeg -v error -i film.mp4 -vf {} -frames:v 1 -pix_fmt rgb24 middle.png",
+                         "select=eq(n\\,1)"))
                 .status,
             0);
   const auto same = [](double level) { return level; };
@@ -187,22 +164,22 @@ TEST_F(FilmPictures, AsAMovieKeepTheirLight) {
 
 TEST_F(FilmPictures, AsACompositeAreTheSumOfTheirExposures) {
   for (const bool sky : {false, true}) {
-    expect_done(
-        coppermoon(film({"--range", "2,4", "--composite", "all.png", "--bits", "16", "--view",
-                         "Un-tone-mapped", "--replace", "--sky", sky ? "14" : "off"})));
+    expect_done(coppermoon(film(words_of(
+        "--range 2,4 --composite all.png --bits 16 --view Un-tone-mapped --replace --sky {}",
+        sky ? "14" : "off"))));
     expect_composite(sky);
   }
 }
 
 TEST_F(FilmPictures, HaveTheirMomentInTheHeaderAndACaptionWhereAskedFor) {
-  const Words frames{"--width", "300", "--height", "240", "--range", "5"};
+  const Words frames = "--width 300 --height 240 --range 5";
   expect_done(coppermoon(film(frames)));
   const auto plain = picture(5);
   EXPECT_EQ(
       texture::read_attribute(here("film/frame.0005.png"), "capDate").value_or("").substr(0, 16),
       "2018:07:27 19:40")
       << "ten minutes after U2, 19:30:15 by NASA's catalogue";
-  expect_done(coppermoon(film(frames + Words{"--caption", "--replace"})));
+  expect_done(coppermoon(film(frames + "--caption --replace")));
   const auto captioned = picture(5);
   std::size_t above = 0, left = 0, right = 0;
   for (std::size_t r = 0; r < plain.height; ++r)
@@ -215,12 +192,10 @@ TEST_F(FilmPictures, HaveTheirMomentInTheHeaderAndACaptionWhereAskedFor) {
 
 TEST_F(FilmPictures, LeaveNoMovieThatFailed) {
   file("film.mp4", "an earlier film");
-  const auto outcome =
-      coppermoon(film({"--movie", "film.mp4"}), {.path = path_of_failing_ffmpeg()});
+  const auto outcome = coppermoon(film("--movie film.mp4"), {.path = path_of_failing_ffmpeg()});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.err, "coppermoon: ffmpeg: out of moonlight\n");
-  const auto silent =
-      coppermoon(film({"--movie", "film.mp4"}), {.path = path_of_failing_ffmpeg("0")});
+  const auto silent = coppermoon(film("--movie film.mp4"), {.path = path_of_failing_ffmpeg("0")});
   EXPECT_EQ(silent.err, "coppermoon: ffmpeg: ended without a result\n");
   EXPECT_EQ(text_of(here("film.mp4")), "an earlier film");
   for (const auto& name : listing())

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "end_to_end/program.h"
+#include "support/program.h"
 #include "texture/read_image.h"
 
 namespace coppermoon::end_to_end {
@@ -38,11 +38,11 @@ class FilmScene : public ProgramTest {
 
   /// A film of two frames, or of more words.
   Outcome film(const Words& more = {}) const {
-    Words words{"animate", "2025-09-07", "-o", "film", "--at", "Berlin"};
-    words = words + Words{"--scene", "my scenes/tiny.pov", "--width", "64", "--height", "48"};
-    words = words + Words{"--texture-width", "64", "--atmosphere", "undated"};
-    words = words + Words{"--make", "frames,pictures"} + more;
-    if (std::ranges::find(more, "--frames") == more.end()) words = words + Words{"--frames", "2"};
+    Words words = "animate 2025-09-07 -o film --at Berlin";
+    words += "--scene 'my scenes/tiny.pov' --width 64 --height 48";
+    words += "--texture-width 64 --atmosphere undated";
+    words += "--make frames,pictures" + more;
+    if (std::ranges::find(more, "--frames") == more.end()) words += "--frames 2";
     return coppermoon(words);
   }
 
@@ -91,10 +91,10 @@ TEST_F(FilmScene, IsRenderedWithTheMoonOfEachFrameGoesOnWhereItWasStoppedAndSays
   EXPECT_EQ(changed.err, said + std::string("coppermoon: film: holds a film made with other "
                                             "contents of scene (frame.0001.png and 3 more), "
                                             "allowed another folder, or --replace\n"));
-  EXPECT_EQ(film({"--replace", "--range", "1"}).status, 0);
+  EXPECT_EQ(film("--replace --range 1").status, 0);
   EXPECT_EQ(frame("0001")(24, 16, 0), 4);
   file("my scenes/colour.inc", "\n#declare Colour = Green;\n");
-  const auto broken = film({"--replace", "--range", "2"});
+  const auto broken = film("--replace --range 2");
   EXPECT_EQ(broken.status, 1);
   EXPECT_TRUE(broken.err.starts_with(
       said + std::string("coppermoon: my scenes/tiny.pov: frame 2: povray: File "
@@ -105,14 +105,14 @@ TEST_F(FilmScene, IsRenderedWithTheMoonOfEachFrameGoesOnWhereItWasStoppedAndSays
 
 TEST_F(FilmScene, ShowsALandscapeBeforeMoonriseAndOneWithoutStars) {
   // the one frame of a film has a clock, too
-  const auto made = film({"--from", "2025-09-07T17:00Z", "--frames", "1", "--stars", "off"});
+  const auto made = film("--from 2025-09-07T17:00Z --frames 1 --stars off");
   ASSERT_EQ(made.status, 0) << made.err;
   EXPECT_EQ(frame("0001")(24, 16, 1), 0) << "clock";
   EXPECT_GT(frame("0001")(24, 48, 2), 0) << "the sky";
 }
 
 TEST_F(FilmScene, SaysWhichOptionsItHasNoUseFor) {
-  const auto listed = film({"--field", "3", "--mount", "horizon", "--dry-run"});
+  const auto listed = film("--field 3 --mount horizon --dry-run");
   EXPECT_EQ(listed.status, 0) << listed.err;
   EXPECT_EQ(listed.err, "coppermoon: --mount, --field: no effect beside --scene\n" + begins_at);
 }

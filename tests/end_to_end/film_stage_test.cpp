@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "end_to_end/program.h"
+#include "support/program.h"
 #include "support/within.h"
 #include "texture/read_image.h"
 
@@ -16,18 +16,14 @@ using nlohmann::json;
 class FilmStage : public ProgramTest {
  protected:
   Words film(const Words& more) const {
-    return Words{"animate",      "2018-07-27", "--from",
-                 "U1",           "--to",       "U4",
-                 "--frames",     "5",          "--texture-width",
-                 "64",           "--bands",    "20",
-                 "--atmosphere", "undated",    "-o",
-                 "film"} +
+    return Words(
+               "animate 2018-07-27 --from U1 --to U4 --frames 5 --texture-width 64 --bands 20 "
+               "--atmosphere undated -o film") +
            more;
   }
 
   std::string stage(const Words& more = {}) const {
-    expect_done(
-        coppermoon(film(Words{"--make", "textures", "--stage", "film/eclipse.usda"} + more)));
+    expect_done(coppermoon(film(Words("--make textures --stage film/eclipse.usda") + more)));
     return text_of(here("film/eclipse.usda"));
   }
 
@@ -60,7 +56,7 @@ class FilmStage : public ProgramTest {
 };
 
 TEST_F(FilmStage, StandsAmongTheTexturesWithImagesOfItsOwn) {
-  const auto text = stage({"--fps", "23.976", "--start-frame", "1001"});
+  const auto text = stage("--fps 23.976 --start-frame 1001");
   for (const char* file : {"eclipse_shadow.exr", "eclipse_sunlit_first_lin_rec709.exr",
                            "eclipse_sunlit_last_lin_rec709.exr", "moon_lin_rec709.1005.exr"}) {
     EXPECT_TRUE(std::filesystem::exists(here("film") / file)) << file;
@@ -90,7 +86,7 @@ TEST_F(FilmStage, ItsMoonlightIsThatOfBrightness) {
   const std::vector<std::string> files{"film/moon_lin_rec709.0001.exr",
                                        "film/moon_lin_rec709.0003.exr"};
   for (const std::size_t frame : {0U, 2U}) {
-    const auto listed = coppermoon({"brightness", files[frame / 2], "--json", "--bands", "20"});
+    const auto listed = coppermoon(words_of("brightness {} --json --bands 20", files[frame / 2]));
     const auto lux = json::parse(listed.out)["illuminance_lx"].get<double>();
     EXPECT_WITHIN(light[frame][0], lux, 0.01 * lux, "as stated: lux on a white card within 1 %");
   }
@@ -100,15 +96,13 @@ TEST_F(FilmStage, ItsMoonlightIsThatOfBrightness) {
 using FilmStageThoroughly = FilmStage;
 
 TEST_F(FilmStageThoroughly, ItsCameraLooksAtTheMoonFromWhereTheObserverIs) {
-  const auto text =
-      stage({"--at", "Nairobi", "--field", "0.8", "--width", "300", "--height", "200"});
+  const auto text = stage("--at Nairobi --field 0.8 --width 300 --height 200");
   EXPECT_WITHIN(number(text, "float horizontalAperture") / number(text, "float focalLength") / 2,
                 std::tan(0.4 * std::numbers::pi / 180), 1e-7, "seven digits");
   EXPECT_WITHIN(number(text, "float verticalAperture"), 24, 1e-9, "two thirds of 36");
   const auto cameras = samples(text.substr(text.find("def Camera")), "matrix4d xformOp:transform");
   ASSERT_EQ(cameras.size(), 5U);
-  const auto listed =
-      coppermoon({"sky", "film/moon_lin_rec709.0003.exr", "--at", "Nairobi", "--json"});
+  const auto listed = coppermoon("sky film/moon_lin_rec709.0003.exr --at Nairobi --json");
   const auto sky = json::parse(listed.out);
   const auto& m = cameras[2];  // rows of a matrix: right, up, back, place
   const double distance = std::hypot(m[12], m[13], m[14]);
@@ -126,17 +120,12 @@ TEST_F(FilmStageThoroughly, ItsCameraLooksAtTheMoonFromWhereTheObserverIs) {
 }
 
 TEST_F(FilmStage, SaysWhatItCannotBeMadeOf) {
-  const auto refused = [&](const Words& more, const char* why) {
-    const auto outcome = coppermoon(film(more));
-    EXPECT_NE(outcome.status, 0);
-    EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
-  };
-  refused({"--make", "textures", "--stage", "film/a.usd"}, "film/a.usd: a stage ends in .usda");
-  refused({"--make", "textures", "--stage", "a.usda"}, "allowed in the folder of its textures");
-  refused({"--make", "textures", "--space", "lin_ciexyzd65_scene", "--stage", "film/a.usda"},
-          "allowed in lin_rec709 or acescg");
-  refused({"--make", "textures", "--shard", "1/2", "--stage", "film/a.usda"},
-          "--stage needs every frame");
+  expect_refused(film("--make textures --stage film/a.usd"), "film/a.usd: a stage ends in .usda");
+  expect_refused(film("--make textures --stage a.usda"), "allowed in the folder of its textures");
+  expect_refused(film("--make textures --space lin_ciexyzd65_scene --stage film/a.usda"),
+                 "allowed in lin_rec709 or acescg");
+  expect_refused(film("--make textures --shard 1/2 --stage film/a.usda"),
+                 "--stage needs every frame");
   EXPECT_TRUE(listing().empty());
 }
 

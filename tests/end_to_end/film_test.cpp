@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "end_to_end/luminance.h"
-#include "end_to_end/program.h"
+#include "support/program.h"
 #include "support/within.h"
 #include "texture/read_image.h"
 
@@ -53,9 +53,9 @@ double largest_bend(const std::vector<double>& values) {
 class Film : public ProgramTest {};
 
 TEST_F(Film, OfAWholeEclipseDoesNotFlickerOrPop) {
-  expect_done(coppermoon({"animate", "2018-07-27", "--frames", "240", "--make", "frames", "--field",
-                          "0.9", "--width", "60", "--height", "40", "--texture-width", "128",
-                          "--albedo-map", "built-in", "-o", "film"}));
+  expect_done(
+      coppermoon("animate 2018-07-27 --frames 240 --make frames --field 0.9 --width 60 --height 40 "
+                 "--texture-width 128 --albedo-map built-in -o film"));
   std::vector<Seen> all;
   for (std::size_t frame = 1; frame <= frames; ++frame)
     all.push_back(seen_in(here(fmt::format("film/frame_lin_rec709.{:04}.exr", frame))));

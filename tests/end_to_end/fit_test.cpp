@@ -7,7 +7,7 @@
 
 #include "baker/texture/fits_bytes.h"
 #include "end_to_end/made_night.h"
-#include "end_to_end/program.h"
+#include "support/program.h"
 #include "support/within.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
@@ -27,35 +27,12 @@ class Fit : public ProgramTest {
   /// a.png, under a known air.
   void photograph(const std::string& side, const Words& more,
                   const std::string& instant = deep) const {
-    make(Words{"still",
-               instant,
-               "--at",
-               syria,
-               "--dust-extinction",
-               "5e-6",
-               "--cloud-cover",
-               "0.4",
-               "--width",
-               side,
-               "--height",
-               side,
-               "--field",
-               "0.8",
-               "--time",
-               "2",
-               "--iso",
-               "800",
-               "--camera",
-               "400mm",
-               "--seeing",
-               "2",
-               "--albedo-map",
-               "built-in",
-               "--atmosphere",
-               "undated",
-               "-o",
-               "a.png"} +
-         more);
+    make(
+        words_of("still {} --at {} --dust-extinction 5e-6 --cloud-cover 0.4 --width {} --height {} "
+                 "--field 0.8 --time 2 --iso 800 --camera 400mm --seeing 2 --albedo-map built-in "
+                 "--atmosphere undated -o a.png",
+                 instant, syria, side, side) +
+        more);
   }
 
   /// Light of a.png as counts, in floating-point FITS.
@@ -78,28 +55,24 @@ class Fit : public ProgramTest {
   }
 
   json fit(Words words) const {
-    words.insert(words.begin(), "fit");
-    words.insert(words.end(), {"--albedo-map", "built-in", "--json"});
+    words = Words{"fit"} + words;
+    words += "--albedo-map built-in --json";
     const auto outcome = coppermoon(words);
     expect_done(outcome);
     return json::parse(outcome.out);
   }
 
-  std::string refusal_of(Words words) const {
-    words.insert(words.begin(), "fit");
-    const auto outcome = coppermoon(words);
-    EXPECT_EQ(outcome.status, 1);
-    return outcome.err;
-  }
+  std::string refused(const Words& words) const { return expect_refused(Words{"fit"} + words, ""); }
 };
 
 TEST_F(Fit, OfAPhotographFindsItsAir) {
-  photograph("440", {"--bits", "16"});
+  photograph("440", "--bits 16");
   std::filesystem::copy(here("a.png"), here("cut.png"));
   std::filesystem::resize_file(here("cut.png"), 10000);
   const auto found =
-      fit({"a.png", "cut.png", "--instants", deep, "--at", syria, "--camera", "400mm", "--times",
-           "2", "--isos", "800", "--f-number", "5.6", "--atmosphere", "undated"});
+      fit(words_of("a.png cut.png --instants {} --at {} --camera 400mm --times 2 --isos 800 "
+                   "--f-number 5.6 --atmosphere undated",
+                   deep, syria));
   const auto& dust = found["dust_extinction_per_m"];
   EXPECT_WITHIN_RELATIVE(dust["median"].get<double>(), 5e-6, 0.25,
                          "exposure believed to 10 %; 93 of 100 are within that");
@@ -115,7 +88,7 @@ TEST_F(Fit, OfAPhotographFindsItsAir) {
   // the same light, as a sensor counts it
   write_counts("counts.fits", 60000);
   const auto counted =
-      fit({"counts.fits", "--instants", deep, "--at", syria, "--atmosphere", "undated"});
+      fit(words_of("counts.fits --instants {} --at {} --atmosphere undated", deep, syria));
   const auto& photograph = counted["photographs"][0];
   EXPECT_GT(photograph["numbers"], 20);
   EXPECT_EQ(photograph["exposure_known"], true) << "EXPTIME, and a gain";
@@ -125,8 +98,8 @@ TEST_F(Fit, OfAPhotographFindsItsAir) {
 
 TEST_F(Fit, ExplainsAStillInTheAirOfItsMonth) {
   constexpr const char* instant = "2018-07-27T19:40:17Z";
-  make({"still", instant, "--at", "Nairobi", "--width", "600", "--height", "400", "-o", "st.png"});
-  const auto found = fit({"st.png", "--instants", instant, "--at", "Nairobi"});
+  make(words_of("still {} --at Nairobi --width 600 --height 400 -o st.png", instant));
+  const auto found = fit(words_of("st.png --instants {} --at Nairobi", instant));
   EXPECT_EQ(found["explained"], true);
   EXPECT_TRUE(found["misfit"].is_null());
   for (const char* factor : {"stratospheric_factor", "cloud_chance", "ozone_factor"}) {
@@ -139,23 +112,24 @@ TEST_F(Fit, ExplainsAStillInTheAirOfItsMonth) {
 using FitThoroughly = Fit;
 
 TEST_F(FitThoroughly, SeesThroughTheFiltersOfThePhotographsCamera) {
-  photograph("300", {"--bits", "16", "--response", "canon-eos-600d"});
-  const Words of_photograph{"a.png", "--instants",   deep,     "--at",   syria, "--camera",
-                            "400mm", "--times",      "2",      "--isos", "800", "--f-number",
-                            "5.6",   "--atmosphere", "undated"};
-  const auto found = fit(of_photograph + Words{"--response", "canon-eos-600d"});
+  photograph("300", "--bits 16 --response canon-eos-600d");
+  const auto of_photograph = words_of(
+      "a.png --instants {} --at {} --camera 400mm --times 2 --isos 800 --f-number 5.6 --atmosphere "
+      "undated",
+      deep, syria);
+  const auto found = fit(of_photograph + "--response canon-eos-600d");
   EXPECT_WITHIN_RELATIVE(found["dust_extinction_per_m"]["median"].get<double>(), 5e-6, 0.25,
                          "as above");
   EXPECT_WITHIN(found["cloud_cover"]["median"].get<double>(), 0.4, 0.15, "as above");
   EXPECT_LT(found["chi_squared"], found["numbers"]);
-  const auto refusal = refusal_of(of_photograph + Words{"--albedo-map", "built-in"});
+  const auto refusal = refused(of_photograph + "--albedo-map built-in");
   EXPECT_NE(refusal.find("no air explains this"), std::string::npos)
       << "its colours are not the observer's";
   EXPECT_NE(refusal.find("worst: a.png in "), std::string::npos) << refusal;
 }
 
 TEST_F(Fit, RefusesErrorsOutsideTheirRanges) {
-  run({"oiiotool", "--create", "64x64", "3", "-o", "dot.png"});
+  run("oiiotool --create 64x64 3 -o dot.png");
   for (const auto& [flag, value, allowed] :
        std::vector<std::array<std::string, 3>>{{"--weather-error", "1.01", "0 to 1"},
                                                {"--weather-error", "-0.01", "0 to 1"},
@@ -163,8 +137,8 @@ TEST_F(Fit, RefusesErrorsOutsideTheirRanges) {
                                                {"--exposure-error", "0", "0.001 to 10"},
                                                {"--white-balance-error", "11", "0.001 to 10"},
                                                {"--clock-error", "61", "0 to 60"}}) {
-    const auto outcome =
-        coppermoon({"fit", "dot.png", "--instants", deep, "--at", syria, flag + "=" + value});
+    const auto outcome = coppermoon(
+        words_of("fit dot.png --instants {} --at {} {}", deep, syria, flag + "=" + value));
     EXPECT_NE(outcome.status, 0);
     EXPECT_NE(outcome.err.find("allowed " + allowed), std::string::npos) << outcome.err;
   }
@@ -182,17 +156,18 @@ TEST_F(FitThoroughly, NamesThePhotographAndTheChannelThatMisfit) {
   for (const auto& minute : minutes) {
     photographs.push_back(minute.substr(3) + ".png");
     pale.push_back("pale" + photographs.back());
-    photograph("300", {"--bits", "16"}, "2018-07-27T" + minute + ":00Z");
+    photograph("300", "--bits 16", "2018-07-27T" + minute + ":00Z");
     std::filesystem::rename(here("a.png"), here(photographs.back()));
-    run({"oiiotool", photographs.back(), "--mulc", "0.7,1,1", "-o", pale.back()});
+    run(words_of("oiiotool {} --mulc 0.7,1,1 -o {}", photographs.back(), pale.back()));
   }
-  run({"oiiotool", "35.png", "--flop", "-o", "mirrored.png"});
-  const Words taken{"--at",       syria, "--camera",     "400mm",   "--isos",          "800",
-                    "--f-number", "5.6", "--atmosphere", "undated", "--despite-misfit"};
+  run("oiiotool 35.png --flop -o mirrored.png");
+  const auto taken = words_of(
+      "--at {} --camera 400mm --isos 800 --f-number 5.6 --atmosphere undated --despite-misfit",
+      syria);
   const auto found = [&](const Words& files, const std::string& instants, const char* times) {
     const auto outcome = coppermoon(
         Words{"fit"} + files + taken +
-        Words{"--instants", instants, "--times", times, "--albedo-map", "built-in", "--json"});
+        words_of("--instants {} --times {} --albedo-map built-in --json", instants, times));
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return json::parse(outcome.out);
   };
@@ -219,23 +194,24 @@ TEST_F(FitThoroughly, NamesBlueInTheUmbraWhereItAloneIsScaledThere) {
   Words photographs;
   std::string moments;
   const auto take = [&](const std::string& name, const std::string& moment, const Words& more) {
-    photograph("300", Words{"--bits", "16"} + more, moment);
+    photograph("300", Words("--bits 16") + more, moment);
     std::filesystem::rename(here("a.png"), here(name));
     photographs.push_back(name);
     moments += (moments.empty() ? "" : ",") + moment;
   };
-  const Words clear{"--dust-extinction", "1e-6", "--cloud-cover", "0.1"};  // blue is seen in it
-  take("sunlit.png", "2018-07-27T18:50:00Z", clear + Words{"--time", "1/500"});
+  const Words clear = "--dust-extinction 1e-6 --cloud-cover 0.1";  // blue is seen in it
+  take("sunlit.png", "2018-07-27T18:50:00Z", clear + "--time 1/500");
   for (const char* minute : {"05", "20", "35", "50"}) {
     const auto name = std::string(minute) + ".png";
-    take(name, fmt::format("2018-07-27T20:{}:00Z", minute), clear + Words{"--time", "1"});
-    run({"oiiotool", name, "--mulc", "1,1,1.6", "-o", name});
+    take(name, fmt::format("2018-07-27T20:{}:00Z", minute), clear + "--time 1");
+    run(words_of("oiiotool {} --mulc 1,1,1.6 -o {}", name, name));
   }
-  const auto outcome =
-      coppermoon(Words{"fit"} + photographs +
-                 Words{"--instants", moments, "--times", "0.002,1,1,1,1", "--isos", "800",
-                       "--f-number", "5.6", "--at", syria, "--camera", "400mm", "--atmosphere",
-                       "undated", "--despite-misfit", "--albedo-map", "built-in", "--json"});
+  const auto outcome = coppermoon(
+      Words{"fit"} + photographs +
+      words_of(
+          "--instants {} --times 0.002,1,1,1,1 --isos 800 --f-number 5.6 --at {} --camera 400mm "
+          "--atmosphere undated --despite-misfit --albedo-map built-in --json",
+          moments, syria));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto misfit = json::parse(outcome.out)["misfit"];
   EXPECT_EQ(misfit["channel"], "blue");
@@ -245,9 +221,9 @@ TEST_F(FitThoroughly, NamesBlueInTheUmbraWhereItAloneIsScaledThere) {
 }
 
 TEST_F(FitThoroughly, OfARawPhotographFindsItsAirByItsOwnHeader) {
-  photograph("880", {"--raw", "a.dng"});
-  const Words words{"a.dng",    "--instants", deep,           "--at",   syria,
-                    "--camera", "400mm",      "--atmosphere", "undated"};
+  photograph("880", "--raw a.dng");
+  const Words words =
+      words_of("a.dng --instants {} --at {} --camera 400mm --atmosphere undated", deep, syria);
   const auto found = fit(words);
   const auto chi_squared_at = [&](const char* weather) {
     return fit(words + Words{"--weather-error", weather})["chi_squared"].get<double>();
@@ -321,10 +297,10 @@ TEST_F(FitThoroughly, OfAStrangersNightFindsTheClock) {
 }
 
 TEST_F(Fit, ReadsAnInstantForEachPhotograph) {
-  run({"oiiotool", "--create", "20x10", "3", "-o", "dot.png"});
+  run("oiiotool --create 20x10 3 -o dot.png");
   std::filesystem::copy(here("dot.png"), here("other.png"));
-  EXPECT_NE(refusal_of({"dot.png", "other.png", "--instants",
-                        "2018-07-20T20:40:00Z,2018-07-27T20:40:00Z", "--albedo-map", "built-in"})
+  EXPECT_NE(refused("dot.png other.png --instants 2018-07-20T20:40:00Z,2018-07-27T20:40:00Z "
+                    "--albedo-map built-in")
                 .find("no lunar eclipse at 2018-07-20"),
             std::string::npos);
 }
@@ -332,15 +308,15 @@ TEST_F(Fit, ReadsAnInstantForEachPhotograph) {
 TEST_F(FitThoroughly, TakesTheGlowOfALitCrescentOffItsUmbra) {
   constexpr const char* partial = "2018-07-27T19:20:00Z";
   for (const auto& [time, file] : {std::pair{"1/500", "short.png"}, std::pair{"1/2", "long.png"}})
-    make({"still",    partial,         "--at",         syria,      "--dust-extinction",
-          "5e-6",     "--cloud-cover", "0.4",          "--width",  "440",
-          "--height", "440",           "--field",      "0.8",      "--time",
-          time,       "--iso",         "800",          "--camera", "400mm",
-          "--glow",   "0.06",          "--albedo-map", "built-in", "--atmosphere",
-          "undated",  "--bits",        "16",           "-o",       file});
-  const auto found = fit({"short.png", "long.png", "--instants", partial, "--at", syria, "--camera",
-                          "400mm", "--times", "0.002,0.5", "--isos", "800", "--f-number", "5.6",
-                          "--atmosphere", "undated"});
+    make(words_of(
+        "still {} --at {} --dust-extinction 5e-6 --cloud-cover 0.4 --width 440 --height 440 "
+        "--field 0.8 --time {} --iso 800 --camera 400mm --glow 0.06 --albedo-map built-in "
+        "--atmosphere undated --bits 16 -o {}",
+        partial, syria, time, file));
+  const auto found = fit(
+      words_of("short.png long.png --instants {} --at {} --camera 400mm --times 0.002,0.5 --isos "
+               "800 --f-number 5.6 --atmosphere undated",
+               partial, syria));
   const auto& cover = found["cloud_cover"];
   EXPECT_TRUE(cover["told"]);
   EXPECT_WITHIN(cover["median"].get<double>(), 0.4, 0.15, "what was asked for of one photograph");
@@ -352,14 +328,15 @@ TEST_F(FitThoroughly, TakesTheGlowOfALitCrescentOffItsUmbra) {
 TEST_F(FitThoroughly, OfMagnitudesFindsTheCloudAndSaysWhatItCannotTell) {
   std::string list = "# of air with half of its limb under cloud\ninstant,band,magnitude,error\n";
   const auto outcome =
-      coppermoon({"brightness", deep, "--dust-extinction", "2e-6", "--cloud-cover", "0.5",
-                  "--atmosphere", "undated", "--albedo-map", "built-in", "--json"});
+      coppermoon(words_of("brightness {} --dust-extinction 2e-6 --cloud-cover 0.5 --atmosphere "
+                          "undated --albedo-map built-in --json",
+                          deep));
   expect_done(outcome);
   const auto magnitudes = json::parse(outcome.out)["magnitudes"];
   for (const char* band : {"B", "V", "R"})
     list += fmt::format("{},{},{:.4f},0.02\n", deep, band, magnitudes[band].get<double>());
   file("list.csv", list);
-  const auto found = fit({"--magnitudes", "list.csv", "--atmosphere", "undated"});
+  const auto found = fit("--magnitudes list.csv --atmosphere undated");
   EXPECT_LT(found["chi_squared"], 1) << "the same computation: 1 % of light, 0.03 mag allowed";
   EXPECT_LT(found["cloud_cover"]["low_68"], 0.55);
   EXPECT_GT(found["cloud_cover"]["high_68"], 0.45);
@@ -369,7 +346,7 @@ TEST_F(FitThoroughly, OfMagnitudesFindsTheCloudAndSaysWhatItCannotTell) {
 
 TEST_F(FitThoroughly, SaysThatNoAirExplainsWhatNoneDoes) {
   file("list.csv", std::string("instant,band,magnitude\n") + deep + ",V,-11\n" + deep + ",B,-2\n");
-  const Words words{"fit", "--magnitudes", "list.csv", "--albedo-map", "built-in"};
+  const Words words = "fit --magnitudes list.csv --albedo-map built-in";
   const auto refused = coppermoon(words);
   EXPECT_EQ(refused.status, 1);
   EXPECT_EQ(refused.out, "");
@@ -379,7 +356,7 @@ TEST_F(FitThoroughly, SaysThatNoAirExplainsWhatNoneDoes) {
       refused.err.find(" of 2 numbers, allowed up to 10.0; likely: a list of another eclipse"),
       std::string::npos);
   auto despite = words;
-  despite.insert(despite.end(), {"--despite-misfit", "--json"});
+  despite += "--despite-misfit --json";
   const auto answered = coppermoon(despite);
   EXPECT_EQ(answered.status, 0);
   EXPECT_TRUE(answered.err.starts_with("coppermoon: no air explains this")) << answered.err;
@@ -387,31 +364,29 @@ TEST_F(FitThoroughly, SaysThatNoAirExplainsWhatNoneDoes) {
 }
 
 TEST_F(FitThoroughly, RefusesWhatItCannotExplain) {
-  EXPECT_EQ(refusal_of({}),
+  EXPECT_EQ(refused({}),
             "coppermoon: photographs or --magnitudes are missing: there is nothing to explain\n");
-  EXPECT_EQ(refusal_of({"a.png"}),
+  EXPECT_EQ(refused({"a.png"}),
             "coppermoon: --instants is missing: photographs need the moments when they were taken "
             "(UTC)\n");
-  EXPECT_EQ(refusal_of({"a.png", "b.png", "c.png", "--instants", "2018-07-27T20:40:00Z,x"}),
+  EXPECT_EQ(refused("a.png b.png c.png --instants 2018-07-27T20:40:00Z,x"),
             "coppermoon: 2 instants, allowed one for all or 3, one for each photograph\n");
-  EXPECT_EQ(refusal_of({"--magnitudes", "no.csv"}), "coppermoon: no.csv: cannot be read\n");
+  EXPECT_EQ(refused("--magnitudes no.csv"), "coppermoon: no.csv: cannot be read\n");
   file("a.csv", "when,band,magnitude\n");
-  EXPECT_EQ(refusal_of({"--magnitudes", "a.csv"}),
+  EXPECT_EQ(refused("--magnitudes a.csv"),
             "coppermoon: a.csv:1: columns = when,band,magnitude, allowed instant, band, magnitude "
             "and, if "
             "you like, error, each once, with commas between\n");
   file("b.csv", "instant,band,magnitude\n2018-07-27T20:40:00Z,K,3\n");
-  EXPECT_EQ(refusal_of({"--magnitudes", "b.csv"}),
-            "coppermoon: b.csv:2: band = K, allowed B, V or R\n");
+  EXPECT_EQ(refused("--magnitudes b.csv"), "coppermoon: b.csv:2: band = K, allowed B, V or R\n");
   file("c.csv", "instant,band,magnitude\n2018-07-27T20:40:00Z,V\n");
-  EXPECT_EQ(refusal_of({"--magnitudes", "c.csv"}),
+  EXPECT_EQ(refused("--magnitudes c.csv"),
             "coppermoon: c.csv:2: a line of fewer columns than the first\n");
   file("d.csv", "instant,band,magnitude\n2018-07-28T20:40:00Z,V,3\n");
-  EXPECT_NE(refusal_of({"--magnitudes", "d.csv"}).find("no lunar eclipse"), std::string::npos);
-  run({"oiiotool", "--create", "20x10", "3", "-o", "dot.png"});
-  EXPECT_EQ(
-      refusal_of({"dot.png", "--instants", "2018-07-27T20:40:00Z", "--albedo-map", "built-in"}),
-      "coppermoon: dot.png: height of a picture [pixels] = 10, allowed 16 to 65535\n");
+  EXPECT_NE(refused("--magnitudes d.csv").find("no lunar eclipse"), std::string::npos);
+  run("oiiotool --create 20x10 3 -o dot.png");
+  EXPECT_EQ(refused("dot.png --instants 2018-07-27T20:40:00Z --albedo-map built-in"),
+            "coppermoon: dot.png: height of a picture [pixels] = 10, allowed 16 to 65535\n");
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <map>
 #include <numbers>
 
-#include "end_to_end/program.h"
+#include "support/program.h"
 #include "support/within.h"
 #include "texture/read_image.h"
 
@@ -77,43 +77,42 @@ void expect_sums(const Parts& parts) {
 class FramePasses : public ProgramTest {
  protected:
   static Words still(const Words& more) {
-    return Words{"still", "2018-07-27T20:22Z", "--width", "300",          "--height",
-                 "200",   "--texture-width",   "512",     "--atmosphere", "undated",
-                 "-o",    "moon.png"} +
+    return Words(
+               "still 2018-07-27T20:22Z --width 300 --height 200 --texture-width 512 --atmosphere "
+               "undated -o moon.png") +
            more;
   }
   static Words film(const Words& more) {
-    return Words{"animate", "2018-07-27", "--at",     "Nairobi", "--frames",        "2",
-                 "--width", "60",         "--height", "40",      "--texture-width", "64",
-                 "--from",  "U2",         "--to",     "U3",      "--atmosphere",    "undated",
-                 "--field", "2",          "-o",       "film"} +
+    return Words(
+               "animate 2018-07-27 --at Nairobi --frames 2 --width 60 --height 40 --texture-width "
+               "64 --from U2 --to U3 --atmosphere undated --field 2 -o film") +
            more;
   }
 };
 
 TEST_F(FramePasses, OfAStillMakeUpTheFrameThatThereIsWithoutThem) {
-  expect_done(coppermoon(still({"--field", "2", "--frame", "plain.exr"})));
-  expect_done(coppermoon(still({"--field", "2", "--frame", "passes.exr", "--passes"})));
+  expect_done(coppermoon(still("--field 2 --frame plain.exr")));
+  expect_done(coppermoon(still("--field 2 --frame passes.exr --passes")));
   const auto plain = texture::read_image(here("plain.exr")),
              frame = texture::read_image(here("passes.exr"));
   const auto parts = parts_of(here("passes.exr"));
   EXPECT_EQ(first_part_of(here("passes.exr")), "rgba");
-  EXPECT_EQ(frame.channels, (Words{"R", "G", "B", "A"}));
-  EXPECT_EQ(parts.at("moon").channels, (Words{"moon.R", "moon.G", "moon.B", "moon.A"}));
+  EXPECT_EQ(frame.channels, (Words("R G B A")));
+  EXPECT_EQ(parts.at("moon").channels, (Words("moon.R moon.G moon.B moon.A")));
   ASSERT_EQ(frame.width, plain.width);
   for (std::size_t r = 0; r < frame.height; ++r)
     for (std::size_t c = 0; c < frame.width; ++c)
       for (std::size_t k = 0; k < 3; ++k)
         ASSERT_EQ(frame(r, c, k), plain(r, c, k)) << r << " " << c;
   expect_sums(parts);
-  expect_done(coppermoon({"develop", "plain.exr", "-o", "plain.png"}));
-  expect_done(coppermoon({"develop", "passes.exr", "-o", "passes.png"}));
+  expect_done(coppermoon("develop plain.exr -o plain.png"));
+  expect_done(coppermoon("develop passes.exr -o passes.png"));
   EXPECT_EQ(texture::read_image(here("plain.png")).values,
             texture::read_image(here("passes.png")).values);
 }
 
 TEST_F(FramePasses, HaveTheDiscAsAlphaAndItsPlacesAsData) {
-  expect_done(coppermoon(still({"--frame", "frame.exr", "--passes", "--field", "0.9"})));
+  expect_done(coppermoon(still("--frame frame.exr --passes --field 0.9")));
   const auto parts = parts_of(here("frame.exr"));
   const auto &frame = parts.at("rgba"), &place = parts.at("position");
   const auto number = [&](const char* name) {
@@ -149,13 +148,9 @@ TEST_F(FramePasses, HaveTheDiscAsAlphaAndItsPlacesAsData) {
 }
 
 TEST_F(FramePasses, EndWithTheMoonAtTheHorizon) {
-  const Words rising{"still",     "--unshadowed", "2018-07-27T15:30:20Z",
-                     "--at",      "-1.28,36.82",  "--up",
-                     "zenith",    "--width",      "150",
-                     "--height",  "150",          "--texture-width",
-                     "256",       "--atmosphere", "undated",
-                     "-o",        "moon.png",     "--frame",
-                     "frame.exr", "--passes"};
+  const Words rising =
+      "still --unshadowed 2018-07-27T15:30:20Z --at -1.28,36.82 --up zenith --width 150 --height "
+      "150 --texture-width 256 --atmosphere undated -o moon.png --frame frame.exr --passes";
   EXPECT_EQ(coppermoon(rising).status, 0);
   const auto parts = parts_of(here("frame.exr"));
   const auto &frame = parts.at("rgba"), &place = parts.at("position");
@@ -174,9 +169,9 @@ TEST_F(FramePasses, EndWithTheMoonAtTheHorizon) {
 }
 
 TEST_F(FramePasses, OfAFilmAddUpInItsSpaceAndAreKept) {
-  const Words words = film({"--make", "frames,pictures", "--passes", "--space", "acescg"});
+  const Words words = film("--make frames,pictures --passes --space acescg");
   expect_done(coppermoon(words));
-  expect_done(coppermoon(film({"--make", "frames", "--space", "acescg"}) + Words{"-o", "plain"}));
+  expect_done(coppermoon(film("--make frames --space acescg") + "-o plain"));
   for (const char* name : {"frame_acescg.0001.exr", "frame_acescg.0002.exr"}) {
     const auto file = here(std::string("film/") + name);
     expect_sums(parts_of(file));
@@ -192,20 +187,20 @@ TEST_F(FramePasses, OfAFilmAddUpInItsSpaceAndAreKept) {
   const auto again = coppermoon(words);
   expect_done(again);
   EXPECT_EQ(text_of(here("film/frame_acescg.0001.exr")), bytes);
-  expect_done(coppermoon(words + Words{"--iso", "100", "--replace"}));
+  expect_done(coppermoon(words + "--iso 100 --replace"));
   expect_sums(parts_of(here("film/frame_acescg.0002.exr")));
   EXPECT_EQ(texture::read_attribute(here("film/frame_acescg.0002.exr"), "isoSpeed"), "100");
 }
 
 TEST_F(FramePasses, AreOfFramesAlone) {
   for (const auto& words :
-       {still({"--passes"}), Words{"still", "moon.png", "-o", "again.png"}}) {  // its own recipe
+       {still({"--passes"}), Words("still moon.png -o again.png")}) {  // its own recipe
     const auto done = coppermoon(words);
     EXPECT_EQ(done.status, 0);
     EXPECT_EQ(done.err, "coppermoon: --passes: no effect without --frame\n");
   }
   EXPECT_EQ(text_of(here("again.png")), text_of(here("moon.png")));
-  const auto both = coppermoon(film({"--make", "textures,frames", "--passes"}));
+  const auto both = coppermoon(film("--make textures,frames --passes"));
   EXPECT_EQ(both.status, 1);
   EXPECT_EQ(both.err, "coppermoon: passes need a film of textures alone, or of frames\n");
 }

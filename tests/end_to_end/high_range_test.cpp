@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "colour/exposure.h"
-#include "end_to_end/program.h"
+#include "support/program.h"
 #include "support/within.h"
 #include "texture/read_image.h"
 #include "uses/picture/avif_file.h"
@@ -15,18 +15,17 @@
 namespace coppermoon::end_to_end {
 namespace {
 
-const Words moon{"--atmosphere", "undated", "--albedo-map", "built-in",
-                 "--width",      "180",     "--height",     "120"};
+const Words moon = "--atmosphere undated --albedo-map built-in --width 180 --height 120";
 constexpr double time_s = 0.05;
 
 /// A partial eclipse as it is, and as the picture has it, [cd/m²] of the display.
 class MadeStill : public ProgramFolder {
  public:
   MadeStill() {
-    expect_done(coppermoon(Words{"still", "2018-07-27T18:44:28Z", "--at", "Nairobi", "--time",
-                                 "0.05", "--frame", "f.exr", "-o", "a.avif"} +
-                           moon));
-    const auto read = run({"avifdec", "--depth", "16", "a.avif", "a.png"});
+    expect_done(coppermoon(
+        Words("still 2018-07-27T18:44:28Z --at Nairobi --time 0.05 --frame f.exr -o a.avif") +
+        moon));
+    const auto read = run("avifdec --depth 16 a.avif a.png");
     EXPECT_EQ(read.status, 0) << read.out << read.err;
   }
 };
@@ -77,7 +76,7 @@ TEST_F(HighRange, LightComesBackFromTheFile) {
 
 TEST_F(HighRange, IsSaidInTheFile) {
   make();
-  const auto info = run({"avifdec", "--info", "a.avif"}).out;
+  const auto info = run("avifdec --info a.avif").out;
   for (const char* line : {"Bit Depth      : 12", "Color Primaries: 9", "Transfer Char. : 16",
                            "Matrix Coeffs. : 9", "Range          : Full"})
     EXPECT_NE(info.find(line), std::string::npos) << line << "\n" << info;
@@ -85,17 +84,16 @@ TEST_F(HighRange, IsSaidInTheFile) {
 
 TEST_F(HighRange, HoldsNoRecipeForItsFrameDoes) {
   make();
-  expect_done(coppermoon({"still", "f.exr", "-o", "again.avif"}));
+  expect_done(coppermoon("still f.exr -o again.avif"));
   EXPECT_TRUE(text_of(here("again.avif")) == text_of(here("a.avif")));
   EXPECT_EQ(text_of(here("a.avif")).find("coppermoon"), std::string::npos);
-  EXPECT_EQ(coppermoon({"still", "a.avif", "-o", "no.png"}).status, 1);
+  EXPECT_EQ(coppermoon("still a.avif -o no.png").status, 1);
 }
 
-const Words film =
-    Words{"animate",  "2018-07-27", "--at",  "Nairobi", "--from", "U1+20min", "--to",
-          "U1+30min", "--frames",   "2",     "--time",  "0.05",   "--make",   "frames,pictures",
-          "--hdr",    "--movie",    "a.mp4", "-o",      "film"} +
-    moon;
+const Words film = Words(
+                       "animate 2018-07-27 --at Nairobi --from U1+20min --to U1+30min --frames 2 "
+                       "--time 0.05 --make frames,pictures --hdr --movie a.mp4 -o film") +
+                   moon;
 
 class MadeFilm : public ProgramFolder {
  public:
@@ -167,9 +165,8 @@ TEST_F(HighRangeFilm, SaysWhatItHolds) {
     }
     brightest_mean = std::max(brightest_mean, sum / static_cast<double>(picture.values.size() / 3));
   }
-  const auto said = run({"ffprobe", "-v", "error", "-show_streams", "-show_frames",
-                         "-read_intervals", "%+#1", "a.mp4"})
-                        .out;
+  const auto said =
+      run("ffprobe -v error -show_streams -show_frames -read_intervals %+#1 a.mp4").out;
   for (const auto& line :
        {std::string("codec_name=hevc"), std::string("codec_tag_string=hvc1"),
         std::string("profile=Main 10"), std::string("pix_fmt=yuv420p10le"),
@@ -196,21 +193,19 @@ TEST_F(HighRangeFilm, SaysWhatItHolds) {
 }
 
 TEST_F(HighRangeFilm, WithoutPicturesOrInAViewThatIsNotIsRefused) {
-  EXPECT_EQ(
-      coppermoon(Words{"animate", "2018-07-27", "--make", "frames", "--hdr", "-o", "film"}).err,
-      "coppermoon: --hdr is of pictures, allowed with pictures among --make\n");
-  EXPECT_NE(coppermoon(film + Words{"--view", "Dreamy"}).err.find("view = Dreamy, allowed"),
+  EXPECT_EQ(coppermoon(Words("animate 2018-07-27 --make frames --hdr -o film")).err,
+            "coppermoon: --hdr is of pictures, allowed with pictures among --make\n");
+  EXPECT_NE(coppermoon(film + "--view Dreamy").err.find("view = Dreamy, allowed"),
             std::string::npos);
   EXPECT_EQ(listing(), std::set<std::string>{});
 }
 
 TEST_F(HighRange, OfAnotherDisplayOrWithoutTheEncoderIsRefused) {
-  const Words still =
-      Words{"still", "2018-07-27T18:44:28Z", "--at", "Nairobi", "-o", "a.avif"} + moon;
-  EXPECT_EQ(coppermoon(still + Words{"--display", "Display P3"}).err,
+  const Words still = Words("still 2018-07-27T18:44:28Z --at Nairobi -o a.avif") + moon;
+  EXPECT_EQ(coppermoon(still + "--display 'Display P3'").err,
             "coppermoon: display = Display P3, allowed for a picture that ends in .avif "
             "Rec.2100-PQ\n");
-  EXPECT_EQ(coppermoon(still + Words{"--view", "Dreamy"}).status, 1);
+  EXPECT_EQ(coppermoon(still + "--view Dreamy").status, 1);
   EXPECT_EQ(listing(), std::set<std::string>{});
 }
 

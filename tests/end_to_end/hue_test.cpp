@@ -7,7 +7,7 @@
 
 #include "colour/srgb.h"
 #include "end_to_end/luminance.h"
-#include "end_to_end/program.h"
+#include "support/program.h"
 #include "support/within.h"
 #include "texture/read_image.h"
 
@@ -58,15 +58,15 @@ Tenths tenths_of(const texture::Image& image) {
 class Hue : public ProgramTest {
  protected:
   Tenths shown(const Moment& moment) const {
-    run(moment, {"--bits", "16"});
+    run(moment, "--bits 16");
     auto picture = texture::read_image(here("moon.png"));
     for (float& value : picture.values) value = static_cast<float>(colour::srgb_light(value));
     return tenths_of(picture);
   }
 
   Tenths photographed(const Moment& moment) const {
-    run(moment, {"--camera", "400mm", "--response", "canon-eos-5d-mark-ii", "--noise", "off",
-                 "--photograph", "photograph.exr"});
+    run(moment,
+        "--camera 400mm --response canon-eos-5d-mark-ii --noise off --photograph photograph.exr");
     return tenths_of(texture::read_image(here("photograph.exr")));
   }
 
@@ -86,12 +86,11 @@ class Hue : public ProgramTest {
   static constexpr double black = 1 / 255. / 12.92;  ///< the first step of 8 bits
 
   void run(const Moment& moment, const Words& more) const {
-    const auto made =
-        coppermoon(Words{"still",    moment.when, "--at",    moment.at, "--width",         "48",
-                         "--height", "48",        "--field", "0.7",     "--texture-width", "64",
-                         "--sky",    "off",       "--stars", "off",     "--quality",       "draft",
-                         "-o",       "moon.png"} +
-                   more);
+    const auto made = coppermoon(
+        words_of("still {} --at {} --width 48 --height 48 --field 0.7 --texture-width 64 "
+                 "--sky off --stars off --quality draft -o moon.png",
+                 moment.when, moment.at) +
+        more);
     EXPECT_EQ(made.status, 0) << made.err;  // which names the moment of a contact
   }
 };

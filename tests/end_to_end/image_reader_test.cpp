@@ -9,7 +9,7 @@
 #include <functional>
 #include <thread>
 
-#include "end_to_end/program.h"
+#include "support/program.h"
 #include "support/within.h"
 
 namespace coppermoon::end_to_end {
@@ -81,8 +81,8 @@ TEST_F(ImageReader, GivesTheTexelsThatBakeWrites) {
        "instant = \"2018-07-27 U2+10min\"\nalbedo-map = \"built-in\"\n"
        "texture-width = 256\nquality = \"draft\"\n");
   expect_done(
-      coppermoon({"bake", "2018-07-27T19:40:17Z", "--albedo-map", "built-in", "--texture-width",
-                  "256", "--quality", "draft", "-o", "flat.exr", "-o", "levels.tx"}));
+      coppermoon("bake 2018-07-27T19:40:17Z --albedo-map built-in --texture-width 256 --quality "
+                 "draft -o flat.exr -o levels.tx"));
   const auto flat = texels_of(here("flat.exr"));
   ASSERT_EQ(flat.size(), 256u * 128 * 3);
   EXPECT_EQ(texels_of(moon), flat);
@@ -106,15 +106,17 @@ TEST_F(ImageReader, BakesOnceForAllThatReadAtOnce) {
 
 TEST_F(ImageReader, BakesAnewWhatDependsOnSomethingElse) {
   const auto first = texels_of(moon);
-  expect_done(coppermoon({"bake", "2018-07-27T19:40:17Z", "--unshadowed", "--albedo-map",
-                          "built-in", "--texture-width", "64", "-o", "one.png"}));
+  expect_done(
+      coppermoon("bake 2018-07-27T19:40:17Z --unshadowed --albedo-map built-in --texture-width 64 "
+                 "-o one.png"));
   const auto with_map = std::string(recipe.substr(0, recipe.find("albedo"))) +
                         "albedo-map = \"one.png\"\ntexture-width = 256\n";
   file("moon.eclipse", with_map);  // one.png stands beside the recipe
   const auto second = texels_of(moon);
   EXPECT_NE(second, first);
-  expect_done(coppermoon({"bake", "2018-07-30T19:40:17Z", "--unshadowed", "--albedo-map",
-                          "built-in", "--texture-width", "64", "-o", "other.png"}));
+  expect_done(
+      coppermoon("bake 2018-07-30T19:40:17Z --unshadowed --albedo-map built-in --texture-width 64 "
+                 "-o other.png"));
   std::filesystem::rename(here("other.png"), here("one.png"));
   EXPECT_NE(texels_of(moon), second);
   EXPECT_EQ(textures_kept(), 3u);
@@ -154,24 +156,23 @@ TEST_F(ImageReader, HeedsOptionsBehindTheName) {
 }
 
 TEST_F(ImageReader, StandsOnACommandThatSaysTheMomentOnce) {
-  const Words words{"bake",         "2018-07-27", "--unshadowed",
-                    "--albedo-map", "built-in",   "--texture-width",
-                    "64",           "--cache",    "kept"};
+  const Words words =
+      "bake 2018-07-27 --unshadowed --albedo-map built-in --texture-width 64 --cache kept";
   const auto first = coppermoon(words), again = coppermoon(words);
   EXPECT_EQ(first.err,
             "coppermoon: the greatest eclipse of 2018-07-27 is 2018-07-27 20:21:45 UTC\n");
   EXPECT_EQ(again.err, "") << "nothing is computed";
   EXPECT_EQ(again.out, first.out);
-  EXPECT_EQ(coppermoon({"bake", "2018-08-27", "--cache", "kept"}).status, 1);
+  EXPECT_EQ(coppermoon("bake 2018-08-27 --cache kept").status, 1);
   for (const char* part : {"--shard=1/8", "--keep=sums.json", "--add=sums.json"})
     EXPECT_EQ(coppermoon(words + Words{part}).status, 2)
         << part << ": another number of photons, or a file that a kept texture would not bring";
 }
 
 TEST_F(ImageReader, KeepsNoTextureThatIsBrokenOrALink) {
-  const Words words{"bake",     "2018-07-27T19:40:17Z", "--unshadowed", "--albedo-map",
-                    "built-in", "--texture-width",      "64",           "--cache",
-                    "kept"};
+  const Words words =
+      "bake 2018-07-27T19:40:17Z --unshadowed --albedo-map built-in --texture-width 64 --cache "
+      "kept";
   const auto said = coppermoon(words).out;
   const auto texture = here(said.substr(0, said.find('\n')));
   const auto whole = text_of(texture);
@@ -255,17 +256,17 @@ TEST_F(ImageReader, SaysWhatIsWrongBehindANameWhereTheHostDoesNot) {
 
 /// OpenImageIO's writers drop attributes that begin with the name of another format.
 TEST_F(ImageReader, KeepsTheRecipeInFilesThatHostsWrite) {
-  expect_done(run({"oiiotool", moon, "-o", "copy.exr"}));
+  expect_done(run(words_of("oiiotool {} -o copy.exr", moon)));
   const auto copy = OIIO::ImageInput::open(here("copy.exr"));
   ASSERT_TRUE(copy);
   EXPECT_NE(copy->spec().get_string_attribute("coppermoon:recipe").find("unshadowed"),
             std::string_view::npos);
-  expect_done(coppermoon({"bake", "copy.exr", "--albedo-map", "built-in", "-o", "again.exr"}));
+  expect_done(coppermoon("bake copy.exr --albedo-map built-in -o again.exr"));
   EXPECT_EQ(texels_of(here("again.exr")), texels_of(moon));
 }
 
 TEST_F(ImageReader, ServesMaketx) {
-  expect_done(run({"maketx", "--swrap", "periodic", "--twrap", "clamp", moon, "-o", "moon.tx"}));
+  expect_done(run(words_of("maketx --swrap periodic --twrap clamp {} -o moon.tx", moon)));
   EXPECT_EQ(texels_of(here("moon.tx")), texels_of(moon));
   for (const auto& texture : {moon, here("moon.tx").string()}) {
     const auto input = OIIO::ImageInput::open(texture);

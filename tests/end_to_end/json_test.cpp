@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "end_to_end/program.h"
 #include "support/csv_rows.h"
+#include "support/program.h"
 #include "support/within.h"
 
 namespace coppermoon::end_to_end {
@@ -36,7 +36,7 @@ void expect_keys(const json& object, const Names& wanted) {
 class Json : public ProgramTest {
  protected:
   /// The one document on stdout.
-  json said(const std::vector<std::string>& words) const {
+  json said(const Words& words) const {
     const auto outcome = coppermoon(words);
     expect_done(outcome);
     return json::parse(outcome.out, nullptr, false);
@@ -44,7 +44,7 @@ class Json : public ProgramTest {
 };
 
 TEST_F(Json, AlmanacListsEclipsesWithTypeMagnitudesAndContacts) {
-  const auto all = said({"almanac", "--from", "2008-01-01", "--to", "2009-02-28", "--json"});
+  const auto all = said("almanac --from 2008-01-01 --to 2009-02-28 --json");
   ASSERT_TRUE(all.is_array());
   ASSERT_EQ(all.size(), 3U);  // total, partial, penumbral: 21 February, 16 August, 9 February
   for (const auto& eclipse : all) {
@@ -62,16 +62,15 @@ TEST_F(Json, AlmanacListsEclipsesWithTypeMagnitudesAndContacts) {
 }
 
 TEST_F(Json, AlmanacOfAMonthWithoutEclipseIsAnEmptyList) {
-  EXPECT_EQ(said({"almanac", "--from", "2008-04-01", "--to", "2008-05-01", "--json"}),
-            json::array());
+  EXPECT_EQ(said("almanac --from 2008-04-01 --to 2008-05-01 --json"), json::array());
 }
 
 using JsonThoroughly = Json;
 
 TEST_F(JsonThoroughly, AlmanacTakesEachConventionOfTheShadow) {
   const auto magnitude = [&](const char* convention) {
-    return said({"almanac", "--from", "2008-02-01", "--to", "2008-03-01", "--json",
-                 "--shadow-convention", convention})[0]["umbral_magnitude"]
+    return said(words_of("almanac --from 2008-02-01 --to 2008-03-01 --json --shadow-convention {}",
+                         convention))[0]["umbral_magnitude"]
         .get<double>();
   };
   EXPECT_WITHIN(magnitude("danjon"), 1.1062, 0.001,
@@ -84,8 +83,7 @@ TEST_F(JsonThoroughly, AlmanacTakesEachConventionOfTheShadow) {
 }
 
 TEST_F(Json, AlmanacSaysWhenTheUmbraCrossesAFeature) {
-  const auto all = said({"almanac", "--from", "2007-03-01", "--to", "2009-02-28", "--feature",
-                         "23.7,-47.4", "--json"});
+  const auto all = said("almanac --from 2007-03-01 --to 2009-02-28 --feature 23.7,-47.4 --json");
   ASSERT_EQ(all.size(), 5U);
   const auto& aristarchus = all[0]["feature"];
   EXPECT_EQ(keys_of(aristarchus),
@@ -103,16 +101,15 @@ TEST_F(Json, AlmanacSaysWhenTheUmbraCrossesAFeature) {
 }
 
 TEST_F(Json, AlmanacWithoutJsonHasTheFeatureInColumns) {
-  const auto outcome = coppermoon(
-      {"almanac", "--from", "2007-03-01", "--to", "2007-04-01", "--feature", "23.7,-47.4"});
+  const auto outcome = coppermoon("almanac --from 2007-03-01 --to 2007-04-01 --feature 23.7,-47.4");
   expect_done(outcome);
   for (const char* part : {"feature in", "feature out", "  21:54:", "  00:06:"})
     EXPECT_NE(outcome.out.find(part), std::string::npos) << part << " in " << outcome.out;
 }
 
 TEST_F(Json, AlmanacAsCsvHasARowForEachEclipseAndAColumnForEachContact) {
-  const auto outcome = coppermoon({"almanac", "--from", "2008-02-01", "--to", "2009-02-28", "--at",
-                                   "Honolulu", "--feature", "23.7,-47.4", "--csv"});
+  const auto outcome = coppermoon(
+      "almanac --from 2008-02-01 --to 2009-02-28 --at Honolulu --feature 23.7,-47.4 --csv");
   expect_done(outcome);
   std::istringstream lines(outcome.out);
   std::vector<std::string> rows;
@@ -127,27 +124,27 @@ TEST_F(Json, AlmanacAsCsvHasARowForEachEclipseAndAColumnForEachContact) {
 }
 
 TEST_F(Json, SkyHasThePlacesOfMoonSunAndShadow) {
-  const auto all = said({"sky", "2008-02-21T03:26:05Z", "--json"});
+  const auto all = said("sky 2008-02-21T03:26:05Z --json");
   expect_keys(all, {"moon_ra_deg", "moon_dec_deg", "moon_distance_km", "sun_distance_au",
                     "sub_earth_latitude_deg", "sub_earth_longitude_deg", "sub_solar_latitude_deg",
                     "sub_solar_longitude_deg", "axis_position_angle_deg", "axis_distance_km"});
   EXPECT_FALSE(all.contains("altitude_deg"));
   EXPECT_WITHIN(all["axis_distance_km"].get<double>(), 0.3992 * 6378.137, 20,
                 "gamma printed to 4 digits: 0.6 km; 1 minute");
-  const auto seen = said({"sky", "2008-02-21T03:26:05Z", "--at", "42.86,-73.77,100", "--json"});
+  const auto seen = said("sky 2008-02-21T03:26:05Z --at 42.86,-73.77,100 --json");
   expect_keys(seen, {"moon_ra_deg", "altitude_deg", "geometric_altitude_deg", "azimuth_deg"});
 }
 
 TEST_F(Json, SkyHasOnlyNumbersButForTheInstant) {
-  const auto sky = said({"sky", "2008-02-21T03:26:05Z", "--at", "-33.9,18.4", "--json"});
+  const auto sky = said("sky 2008-02-21T03:26:05Z --at -33.9,18.4 --json");
   for (const auto& [key, value] : sky.items())
     EXPECT_TRUE(key == "instant" || value.is_number()) << key;
 }
 
 TEST_F(Json, ShadowIsATableOfDistanceAndWavelength) {
-  const auto all = said({"shadow", "--moon-distance-km", "376400", "--sun-distance-km", "148000000",
-                         "--wavelengths", "450,650", "--axis-distances", "0,2000,4000", "--rays",
-                         "100", "--json"});
+  const auto all = said(
+      "shadow --moon-distance-km 376400 --sun-distance-km 148000000 --wavelengths 450,650 "
+      "--axis-distances 0,2000,4000 --rays 100 --json");
   EXPECT_EQ(keys_of(all),
             Names({"moon_distance_km", "sun_distance_km", "solver", "seconds", "wavelengths_nm",
                    "axis_distance_km", "irradiance_ratio", "standard_error"}));
@@ -163,9 +160,9 @@ TEST_F(Json, ShadowIsATableOfDistanceAndWavelength) {
 }
 
 TEST_F(Json, BrightnessHasMagnitudesLuminanceAndDanjon) {
-  const auto all =
-      said({"brightness", "2008-02-21T03:26:05Z", "--rays", "50", "--albedo-map", "built-in",
-            "--at", "42.86,-73.77", "--json", "-o", "a.json", "-o", "a.csv"});
+  const auto all = said(
+      "brightness 2008-02-21T03:26:05Z --rays 50 --albedo-map built-in --at 42.86,-73.77 --json -o "
+      "a.json -o a.csv");
   expect_keys(all, {"magnitudes", "mean_luminance_cd_m2", "illuminance_lx", "danjon"});
   EXPECT_EQ(keys_of(all["magnitudes"]), Names({"B", "V", "R"}));
   EXPECT_TRUE(all["danjon"].is_number());
@@ -180,7 +177,7 @@ TEST_F(Json, BrightnessHasMagnitudesLuminanceAndDanjon) {
   EXPECT_EQ(std::stod(rows[1].at("altitude_deg")), all["seen"]["altitude_deg"]);
   EXPECT_EQ(std::stod(rows[0].at("V_magnitude")), all["magnitudes"]["V"]);
   EXPECT_EQ(std::stod(rows[1].at("V_magnitude")), all["seen"]["magnitudes"]["V"]);
-  const auto calendar = coppermoon({"brightness", "2008-02-21T03:26:05Z", "-o", "a.ics"});
+  const auto calendar = coppermoon("brightness 2008-02-21T03:26:05Z -o a.ics");
   EXPECT_EQ(
       calendar.err,
       "coppermoon: --output: night and almanac write calendars (.ics); brightness writes .csv "
@@ -189,11 +186,9 @@ TEST_F(Json, BrightnessHasMagnitudesLuminanceAndDanjon) {
 }
 
 TEST_F(Json, BrightnessOverTimeIsOneRowAMoment) {
-  const auto all =
-      said({"brightness", "2008-02-21", "--from", "U2-10min", "--to",   "U2+10min",     "--step",
-            "10",         "--rays",     "50",     "--bands",  "4",      "--albedo-map", "built-in",
-            "--at",       "Chicago",    "--zone", "local",    "--json", "-o",           "v.json",
-            "-o",         "v.csv",      "-o",     "v.svg"});
+  const auto all = said(
+      "brightness 2008-02-21 --from U2-10min --to U2+10min --step 10 --rays 50 --bands 4 "
+      "--albedo-map built-in --at Chicago --zone local --json -o v.json -o v.csv -o v.svg");
   const auto& moments = all["moments"];
   ASSERT_EQ(moments.size(), 3U);
   EXPECT_EQ(json::parse(text_of(here("v.json")))["moments"], moments);
@@ -205,7 +200,7 @@ TEST_F(Json, BrightnessOverTimeIsOneRowAMoment) {
   EXPECT_EQ(rows[0].at("V_error"), "") << "not total yet";
   EXPECT_LT(moments[0]["V_magnitude"], moments[2]["V_magnitude"]);
   EXPECT_NE(text_of(here("v.svg")).find(">U2<"), std::string::npos);
-  const auto plot = coppermoon({"brightness", "2008-02-21", "-o", "one.png"});
+  const auto plot = coppermoon("brightness 2008-02-21 -o one.png");
   EXPECT_EQ(plot.status, 2);
   EXPECT_EQ(plot.err,
             "coppermoon: --output: a plot (.png) shows a light curve, allowed with --from or "
@@ -213,8 +208,8 @@ TEST_F(Json, BrightnessOverTimeIsOneRowAMoment) {
 }
 
 TEST_F(JsonThoroughly, BrightnessOfTheFullMoonIsTheBooks) {
-  const auto all = said(
-      {"brightness", "2008-02-21T00:36:00Z", "--unshadowed", "--albedo-map", "built-in", "--json"});
+  const auto all =
+      said("brightness 2008-02-21T00:36:00Z --unshadowed --albedo-map built-in --json");
   EXPECT_WITHIN(
       all["magnitudes"]["V"].get<double>(), -12.74, 0.06,
       "Allen's full Moon at mean distances; 384 400 km and 1 au are 0.02 mag from that day's, the "
@@ -223,9 +218,9 @@ TEST_F(JsonThoroughly, BrightnessOfTheFullMoonIsTheBooks) {
 }
 
 TEST_F(Json, BakeSaysWhatWasChosenAndReached) {
-  const auto all =
-      said({"bake", "2008-02-21T03:26:05Z", "--rays", "50", "--atmosphere", "undated",
-            "--albedo-map", "built-in", "--texture-width", "16", "-o", "moon.exr", "--json"});
+  const auto all = said(
+      "bake 2008-02-21T03:26:05Z --rays 50 --atmosphere undated --albedo-map built-in "
+      "--texture-width 16 -o moon.exr --json");
   expect_keys(all, {"chosen", "reached"});
   EXPECT_EQ(keys_of(all["reached"]), Names({"seconds", "error"}));
   EXPECT_EQ(all["chosen"]["rays"], 50);
@@ -234,15 +229,15 @@ TEST_F(Json, BakeSaysWhatWasChosenAndReached) {
 
 TEST_F(Json, DevelopSaysTheExposure) {
   expect_done(
-      coppermoon({"bake", "2008-02-21T03:26:05Z", "--unshadowed", "--albedo-map", "built-in",
-                  "--texture-width", "16", "-o", "moon_acescg.exr", "--space", "acescg"}));
-  const auto all = said({"develop", "moon_acescg.exr", "-o", "moon.png", "--json"});
+      coppermoon("bake 2008-02-21T03:26:05Z --unshadowed --albedo-map built-in --texture-width 16 "
+                 "-o moon_acescg.exr --space acescg"));
+  const auto all = said("develop moon_acescg.exr -o moon.png --json");
   expect_keys(all, {"file", "colour_space", "time_s", "f_number", "iso"});
   EXPECT_EQ(all["colour_space"], "acescg");
 }
 
 TEST_F(Json, WithoutJsonPeopleGetAText) {
-  const auto outcome = coppermoon({"almanac", "--from", "2008-01-01", "--to", "2008-12-31"});
+  const auto outcome = coppermoon("almanac --from 2008-01-01 --to 2008-12-31");
   expect_done(outcome);
   EXPECT_TRUE(json::parse(outcome.out, nullptr, false).is_discarded());
   EXPECT_NE(outcome.out.find("2008-02-21T03:2"), std::string::npos);
@@ -250,7 +245,7 @@ TEST_F(Json, WithoutJsonPeopleGetAText) {
 
 /// Mars was at its opposition: V = -2.8, six degrees from the Moon.
 TEST_F(Json, ListsTheStarsOfAnObserversSky) {
-  const Words sky{"sky", "2018-07-27", "--at", "Nairobi", "--stars", "-2.5"};
+  const Words sky = "sky 2018-07-27 --at Nairobi --stars -2.5";
   const auto outcome = coppermoon(sky + Words{"--json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto said = nlohmann::json::parse(outcome.out);

@@ -5,8 +5,8 @@
 
 #include "almanac/instant.h"
 #include "almanac/observer.h"
-#include "end_to_end/program.h"
 #include "povray_scenes/render.h"
+#include "support/program.h"
 #include "support/within.h"
 #include "texture/read_image.h"
 
@@ -55,13 +55,12 @@ Disc disc_in(const texture::Image& frame, double zenith_rad) {
 
 class LowMoon : public ProgramTest {
  protected:
-  texture::Image frame_of(const std::string& folder, std::vector<std::string> more) const {
-    std::vector<std::string> words{
-        "scene",           instant,   "--at",    at,     "--rays",       "50",
-        "--texture-width", "64",      "--width", "360",  "--height",     "360",
-        "--field",         "0.6",     "-o",      folder, "--albedo-map", "built-in",
-        "--atmosphere",    "undated", "--sky",   "off"};
-    words.insert(words.end(), more.begin(), more.end());
+  texture::Image frame_of(const std::string& folder, Words more) const {
+    Words words{"scene",           instant,   "--at",    at,     "--rays",       "50",
+                "--texture-width", "64",      "--width", "360",  "--height",     "360",
+                "--field",         "0.6",     "-o",      folder, "--albedo-map", "built-in",
+                "--atmosphere",    "undated", "--sky",   "off"};
+    words += more;
     expect_done(coppermoon(words));
     return texture::read_image(povray_scenes::render(here(folder)));
   }
@@ -76,7 +75,7 @@ TEST_F(LowMoon, IsAsFlatAsPublishedRefractionMakesIt) {
   const double flattening = (apparent_altitude_deg(altitude_deg + radius_deg) -
                              apparent_altitude_deg(altitude_deg - radius_deg)) /
                             (2 * radius_deg);
-  const auto disc = disc_in(frame_of("zenith", {"--up", "zenith", "--atmosphere", "standard"}), 0);
+  const auto disc = disc_in(frame_of("zenith", "--up zenith --atmosphere standard"), 0);
   EXPECT_WITHIN(std::sqrt(disc.along / disc.across), flattening, 0.005,
                 "two published formulae, and pixels of 1/300 of the disc");
   EXPECT_LT(flattening, 0.95) << "or there was nothing to see";
@@ -86,14 +85,14 @@ TEST_F(LowMoon, IsFlattenedTowardsTheZenithWithNorthUp) {
   // East is left of north: the parallactic angle is anticlockwise in the picture.
   const double zenith_rad = in_radians(seen().parallactic_angle);
   ASSERT_GT(std::abs(std::sin(2 * zenith_rad)), 0.5) << "or up and down could not be told apart";
-  const auto disc = disc_in(frame_of("north", {"--up", "celestial-north"}), zenith_rad);
+  const auto disc = disc_in(frame_of("north", "--up celestial-north"), zenith_rad);
   EXPECT_LT(disc.along, 0.9 * disc.across);
   EXPECT_WITHIN(disc.mixed / disc.across, 0, 0.002, "whole pixels at the limb");
 }
 
 TEST_F(LowMoon, KeepsItsTexture) {
   const auto flat = frame_of("flat", {});
-  const auto round = frame_of("round", {"--flattening", "off"});
+  const auto round = frame_of("round", "--flattening off");
   const double zenith_rad = in_radians(seen().parallactic_angle);
   const auto disc = disc_in(round, zenith_rad);
   EXPECT_WITHIN(disc.along / disc.across, 1, 0.002, "whole pixels at the limb");

@@ -29,7 +29,8 @@
 #include "colour/similarity.h"
 #include "eclipse/contacts.h"
 #include "eclipse/shadow_axis.h"
-#include "povray_scenes/sight.h"
+#include "povray_scenes/camera.h"
+#include "support/program.h"
 #include "surface/albedo_map.h"
 #include "texture/bake.h"
 #include "texture/write_image.h"
@@ -483,13 +484,12 @@ struct StrangersNight {
   double zone_error_s;  ///< of the clock that --zone makes of the header's
 
   /// Words that tell `fit` what the photographer says.
-  std::vector<std::string> told() const {
-    std::vector<std::string> words{
-        "--instants",  "from-header",
-        "--at",        fmt::format("{},{}", occasion.latitude_deg, occasion.longitude_deg),
-        "--reddening", "off"};
+  Words told() const {
+    Words words{"--instants",  "from-header",
+                "--at",        fmt::format("{},{}", occasion.latitude_deg, occasion.longitude_deg),
+                "--reddening", "off"};
     if (zone != ZoneGiven::none)
-      words.insert(words.end(), {"--zone", zone == ZoneGiven::right ? "+02:00" : "+03:00"});
+      words += words_of("--zone {}", zone == ZoneGiven::right ? "+02:00" : "+03:00");
     return words;
   }
 };

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "end_to_end/program.h"
 #include "support/csv_rows.h"
+#include "support/program.h"
 #include "support/within.h"
 
 namespace coppermoon::end_to_end {
@@ -13,8 +13,8 @@ namespace {
 class Night : public ProgramTest {
  protected:
   static Words night(const Words& more) {
-    return Words{"night",        "2018-07-27", "--atmosphere",    "undated",
-                 "--albedo-map", "built-in",   "--danjon-spread", "off"} +
+    return Words(
+               "night 2018-07-27 --atmosphere undated --albedo-map built-in --danjon-spread off") +
            more;
   }
 
@@ -47,8 +47,7 @@ class Night : public ProgramTest {
 };
 
 TEST_F(Night, IsToldInATableADocumentAndFiles) {
-  const auto table =
-      coppermoon(night({"--at", "London", "--focal-length", "600", "-o", "night.ics"}));
+  const auto table = coppermoon(night("--at London --focal-length 600 -o night.ics"));
   expect_done(table);
   EXPECT_NE(table.out.find("Total eclipse of the Moon, 2018-07-27\nLondon: The Moon rises"),
             std::string::npos)
@@ -58,8 +57,8 @@ TEST_F(Night, IsToldInATableADocumentAndFiles) {
       table.out.ends_with("\n\nWithout a mount that follows it, the Moon trails by two pixels in "
                           "1/4.9 s.\n\nnight.ics\n"))
       << "below the table, what was written";
-  const auto files = coppermoon(night({"--at", "51.5,-0.1", "--f-number", "8", "--csv", "-o",
-                                       "a.ics", "-o", "a.csv", "-o", "a.json"}));
+  const auto files =
+      coppermoon(night("--at 51.5,-0.1 --f-number 8 --csv -o a.ics -o a.csv -o a.json"));
   expect_done(files);
   EXPECT_TRUE(text_of(here("a.ics")).starts_with("BEGIN:VCALENDAR\r\n"));
   // as a reader of calendars that is not ours has it: python3-icalendar
@@ -96,11 +95,10 @@ TEST_F(Night, IsToldInATableADocumentAndFiles) {
 }
 
 TEST_F(Night, BeforeTheFirstYearIsATableButNoCalendar) {
-  const Words ancient{
-      "night",           "-0567-07-04", "--calendar", "julian", "--at",    "Baghdad",
-      "--danjon-spread", "off",         "--rays",     "30",     "--bands", "6",
-      "--atmosphere",    "undated",     "-o",         "b.csv"};
-  EXPECT_EQ(coppermoon(ancient + Words{"-o", "b.ics"}).err,
+  const Words ancient =
+      "night -0567-07-04 --calendar julian --at Baghdad --danjon-spread off --rays 30 --bands 6 "
+      "--atmosphere undated -o b.csv";
+  EXPECT_EQ(coppermoon(ancient + "-o b.ics").err,
             "coppermoon: eclipse of -0567-07-04: iCalendar has no years before 1, allowed .csv or "
             ".json\n");
   EXPECT_EQ(listing(), std::set<std::string>{}) << "refused before anything is written";
@@ -111,21 +109,21 @@ TEST_F(Night, BeforeTheFirstYearIsATableButNoCalendar) {
 }
 
 TEST_F(Night, OfAPlaceThatSeesNothingIsShortAndNoEvent) {
-  const auto table = coppermoon(night({"--at", "Chicago"}));
+  const auto table = coppermoon(night("--at Chicago"));
   expect_done(table);
   EXPECT_NE(table.out.find("Nothing of the eclipse is seen"), std::string::npos) << table.out;
   EXPECT_EQ(table.out.find("Exposure times"), std::string::npos);
-  EXPECT_EQ(coppermoon(night({"--at", "Chicago", "-o", "a.ics"})).err,
+  EXPECT_EQ(coppermoon(night("--at Chicago -o a.ics")).err,
             "coppermoon: Chicago sees nothing of the eclipse: no event for a calendar\n");
   EXPECT_EQ(listing(), std::set<std::string>{});
 }
 
 TEST_F(Night, HasTheAltitudeOfSky) {
-  const auto document = coppermoon(night({"--at", "London", "--json"}));
+  const auto document = coppermoon(night("--at London --json"));
   expect_done(document);
   const auto u4 = nlohmann::json::parse(document.out)["moments"][7];
   ASSERT_EQ(u4["name"], "U4");
-  const auto sky = coppermoon({"sky", u4["utc"], "--at", "London", "--json"});
+  const auto sky = coppermoon(words_of("sky {} --at London --json", u4["utc"]));
   expect_done(sky);
   EXPECT_NEAR(nlohmann::json::parse(sky.out)["altitude_deg"].get<double>(),
               u4["altitude_deg"].get<double>(), 0.003)
@@ -133,13 +131,13 @@ TEST_F(Night, HasTheAltitudeOfSky) {
 }
 
 TEST_F(Night, OfNoPlaceOrOfAnotherFileIsRefused) {
-  EXPECT_EQ(coppermoon({"night", "2018-07-27"}).err,
+  EXPECT_EQ(coppermoon("night 2018-07-27").err,
             "coppermoon: --at: missing; a place is needed, as Honolulu\n");
   EXPECT_EQ(
-      coppermoon({"night", "2018-07-27", "--at", "London", "-o", "a.gif"}).err,
+      coppermoon("night 2018-07-27 --at London -o a.gif").err,
       "coppermoon: a.gif: a night ends in .ics (calendar), .csv (moments), .json (moments and "
       "exposures), .png (map of where the eclipse is seen), .svg (the same), .pdf (the same)\n");
-  EXPECT_NE(coppermoon({"night", "2018-07-27", "--at", "London", "--zone", "Moon/Tycho"})
+  EXPECT_NE(coppermoon("night 2018-07-27 --at London --zone Moon/Tycho")
                 .err.find("time zone = Moon/Tycho: not in this system's zoneinfo"),
             std::string::npos);
   EXPECT_EQ(listing(), std::set<std::string>{});
@@ -147,8 +145,8 @@ TEST_F(Night, OfNoPlaceOrOfAnotherFileIsRefused) {
 
 TEST_F(Night, OfTheAlmanacSaysWhichContactsAreSeen) {
   const auto seen = [&](const char* place) {
-    const auto list = coppermoon(
-        {"almanac", "--from", "2018-07-01", "--to", "2018-08-01", "--at", place, "--json"});
+    const auto list =
+        coppermoon(words_of("almanac --from 2018-07-01 --to 2018-08-01 --at {} --json", place));
     expect_done(list);
     return nlohmann::json::parse(list.out)[0]["seen"].get<std::string>();
   };
@@ -158,8 +156,8 @@ TEST_F(Night, OfTheAlmanacSaysWhichContactsAreSeen) {
       << "it rose 19 min into totality, and stood out after greatest";
   EXPECT_EQ(seen("Chicago"), "none");
   EXPECT_EQ(coppermoon({"almanac"}).status, 0) << "from today, for ten years";
-  const auto columbus = coppermoon(
-      {"almanac", "--from", "1504-01-01", "--to", "1504-06-01", "--calendar", "julian", "--json"});
+  const auto columbus =
+      coppermoon("almanac --from 1504-01-01 --to 1504-06-01 --calendar julian --json");
   expect_done(columbus);
   const auto listed = nlohmann::json::parse(columbus.out);
   EXPECT_EQ(listed[0]["calendar"], "julian");
@@ -170,16 +168,15 @@ TEST_F(Night, OfTheAlmanacSaysWhichContactsAreSeen) {
 using AlmanacFiles = ProgramTest;
 
 TEST_F(AlmanacFiles, HoldWhatIsPrinted) {
-  const Words almanac{"almanac", "2018", "--at", "London"};
-  const auto table = coppermoon(almanac + Words{"-o", "a.csv", "-o", "a.json", "-o", "a.ics"});
+  const Words almanac = "almanac 2018 --at London";
+  const auto table = coppermoon(almanac + "-o a.csv -o a.json -o a.ics");
   expect_done(table);
   EXPECT_NE(table.out.find("2018-07-27T20:21:45Z total"), std::string::npos) << table.out;
   EXPECT_TRUE(table.out.ends_with(
       "\n\na.csv\na.json\na.ics\nThe calendar leaves out 1 of 2 eclipses, of which nothing is seen "
       "there.\n"));
   EXPECT_EQ(coppermoon(almanac + Words{"--csv"}).out, text_of(here("a.csv")));
-  EXPECT_EQ(coppermoon({"almanac", "--year", "2018", "--at", "London", "--json"}).out,
-            text_of(here("a.json")));
+  EXPECT_EQ(coppermoon("almanac --year 2018 --at London --json").out, text_of(here("a.json")));
   EXPECT_EQ(csv_rows(text_of(here("a.csv"))).size(), 2U) << "31 January and 27 July";
   const auto calendar = text_of(here("a.ics"));
   EXPECT_NE(calendar.find("UID:2018-07-27-eclipse+51.5"), std::string::npos) << calendar;
@@ -187,20 +184,19 @@ TEST_F(AlmanacFiles, HoldWhatIsPrinted) {
 }
 
 TEST_F(AlmanacFiles, AreRefusedWhereTheyCannotBe) {
-  EXPECT_EQ(coppermoon({"almanac", "2018", "-o", "a.txt"}).err,
+  EXPECT_EQ(coppermoon("almanac 2018 -o a.txt").err,
             "coppermoon: a.txt: an almanac ends in .ics (calendar), .csv (table), .json (JSON "
             "document)\n");
-  EXPECT_NE(coppermoon({"almanac", "-600", "-o", "a.csv", "-o", "a.ics"})
-                .err.find("iCalendar has no years before 1"),
-            std::string::npos);
-  EXPECT_EQ(coppermoon({"almanac", "3001"}).err,
-            "coppermoon: year = 3001, allowed -1999 to 3000\n");
-  EXPECT_EQ(coppermoon({"almanac", "2018", "--from", "2018-01-01"}).status, 2);
+  EXPECT_NE(
+      coppermoon("almanac -600 -o a.csv -o a.ics").err.find("iCalendar has no years before 1"),
+      std::string::npos);
+  EXPECT_EQ(coppermoon("almanac 3001").err, "coppermoon: year = 3001, allowed -1999 to 3000\n");
+  EXPECT_EQ(coppermoon("almanac 2018 --from 2018-01-01").status, 2);
   EXPECT_EQ(listing(), std::set<std::string>{});
 }
 
 TEST_F(AlmanacFiles, KeepTheirColumnsApartInYearsWithASign) {
-  const auto list = coppermoon({"almanac", "--year", "-600", "--calendar", "julian"});
+  const auto list = coppermoon("almanac --year -600 --calendar julian");
   expect_done(list);
   std::istringstream lines(list.out);
   std::string line;

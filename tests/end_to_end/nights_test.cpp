@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Nights of eclipses: 25 of nine JPEGs, the camera's filters and the even weather told, its tone curve and clock unknown; 25
-// as strangers take them, told nothing of the camera.
+// as strangers take them, told nothing of the camera. tests/thorough.sh draws every second one.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -10,17 +10,18 @@
 
 #include "algebra/error.h"
 #include "end_to_end/made_night.h"
-#include "end_to_end/program.h"
+#include "support/chance.h"
+#include "support/program.h"
 
 namespace coppermoon::end_to_end {
 namespace {
 
 /// Each of five eclipses with each of five cameras.
-constexpr std::size_t nights = 25;
+constexpr int nights = 25;
 
 /// How often something was so, of all.
 struct Tally {
-  int found = 0, clocks = 0, refused = 0;
+  int nights = 0, found = 0, clocks = 0, refused = 0;
   std::array<int, 4> inside{};
 
   void count(const NightTruth& truth, const uses::FitReport& answer) {
@@ -35,6 +36,19 @@ struct Tally {
     inside[3] += std::abs(clock.seconds - truth.clock_s) < clock.error_s;
   }
 };
+
+/// Clocks within half a minute, and air near the truth, in 95 of 100 nights; the truth in 68 of 100 intervals.
+void expect_as_promised(const auto& tally) {
+  // of 25 nights the first are in 97 of 100 such tests, the second in 98
+  const auto nearly_all = support::asked({22, 25}, nights, tally.nights, 0.95),
+             fair = support::asked({12, 22}, nights, tally.nights, 0.68);
+  EXPECT_GE(tally.found, nearly_all.least) << tally.refused << " refused";
+  EXPECT_GE(tally.clocks, nearly_all.least);
+  for (const int inside : tally.inside) {
+    EXPECT_GE(inside, fair.least);
+    EXPECT_LE(inside, fair.most);
+  }
+}
 
 /// A line of what was found, and of what was true.
 void tell(std::size_t night, const NightTruth& truth, const uses::FitReport& answer) {
@@ -54,7 +68,9 @@ class Nights : public ProgramTest {};
 TEST_F(Nights, AreFoundWithTheirCurvesAndClocks) {
   Tally tally;
   const auto occasions = night_occasions();
-  for (std::size_t night = 0; night < nights; ++night) {
+  for (std::size_t night = 0; night < std::size_t{nights}; ++night) {
+    if (!support::is_drawn(night, 2)) continue;
+    ++tally.nights;
     const auto truth = night_truth(night);
     try {
       auto request = MadeNight(occasions[night % occasions.size()], truth).request(here());
@@ -71,20 +87,12 @@ TEST_F(Nights, AreFoundWithTheirCurvesAndClocks) {
   }
   RecordProperty("found", tally.found);
   RecordProperty("clocks", tally.clocks);
-  // dust within 25 % and cover within 0.15, the clock within half a minute: where 95 of 100 nights are so, 22 of 25
-  // or more are in 97 of 100 such tests
-  EXPECT_GE(tally.found, 22) << tally.refused << " refused";
-  EXPECT_GE(tally.clocks, 22);
-  // of 25 fair intervals of 68 %, 12 to 22 hold the truth in 98 of 100 such tests
-  for (const int inside : tally.inside) {
-    EXPECT_GE(inside, 12);
-    EXPECT_LE(inside, 22);
-  }
+  expect_as_promised(tally);
 }
 
 /// How strangers' nights were explained.
 struct StrangersTally {
-  int refused = 0, clocks = 0, found = 0, left_out_wrongly = 0;
+  int nights = 0, refused = 0, clocks = 0, found = 0, left_out_wrongly = 0;
   std::array<int, 3> inside{};
 };
 
@@ -145,7 +153,9 @@ Outcome answer_of(const ProgramFolder& folder, const StrangersNight& night, Made
 
 TEST_F(Nights, OfStrangersAreFoundWithTheirAirAndClocks) {
   StrangersTally tally;
-  for (std::size_t i = 0; i < nights; ++i) {
+  for (std::size_t i = 0; i < std::size_t{nights}; ++i) {
+    if (!support::is_drawn(i, 2)) continue;
+    ++tally.nights;
     const auto night = strangers_night(i);
     MadeNight made(night.occasion, night.truth);
     const auto answer = answer_of(*this, night, made);
@@ -162,13 +172,7 @@ TEST_F(Nights, OfStrangersAreFoundWithTheirAirAndClocks) {
   RecordProperty("found", tally.found);
   EXPECT_EQ(tally.refused, 0);
   EXPECT_EQ(tally.left_out_wrongly, 0);
-  // the clock within half a minute, aerosol and cloud within 30 %; as above
-  EXPECT_GE(tally.clocks, 22);
-  EXPECT_GE(tally.found, 22);
-  for (const int inside : tally.inside) {
-    EXPECT_GE(inside, 12);
-    EXPECT_LE(inside, 22);
-  }
+  expect_as_promised(tally);
 }
 
 }  // namespace

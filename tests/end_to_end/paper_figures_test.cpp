@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "end_to_end/luminance.h"
-#include "end_to_end/program.h"
 #include "end_to_end/sunlit_ground.h"
+#include "support/program.h"
 #include "support/within.h"
 #include "texture/read_image.h"
 
@@ -68,8 +68,7 @@ class PaperFigures : public ProgramTest {
  protected:
   /// The script's frame, as NAME.exr.
   Image frame(const std::string& name, const std::string& instant, const Words& more) const {
-    const Words small{"--solver",        "quadrature", "--albedo-map", "built-in",
-                      "--texture-width", "512",        "--sky",        "off"};
+    const Words small = "--solver quadrature --albedo-map built-in --texture-width 512 --sky off";
     const Words sides{"--width", std::to_string(width), "--height", std::to_string(height)};
     const Words files{"--frame", name + ".exr", "-o", name + ".png"};
     const auto made =
@@ -81,8 +80,8 @@ class PaperFigures : public ProgramTest {
   /// What the sensor holds after so long [s], 1 where it saturates.
   Image exposed(const std::string& name, const std::string& time,
                 const std::string& view = "Raw") const {
-    expect_done(coppermoon({"develop", name + ".exr", "-o", "exposed.png", "--time", time, "--view",
-                            view, "--bits", "16"}));
+    expect_done(coppermoon(words_of("develop {} -o exposed.png --time {} --view {} --bits 16",
+                                    name + ".exr", time, view)));
     return texture::read_image(here("exposed.png"));
   }
 
@@ -94,7 +93,7 @@ class PaperFigures : public ProgramTest {
   }
 };
 
-const Words no_dust{"--dust-extinction", "0"};
+const Words no_dust = "--dust-extinction 0";
 
 // -- Figure 1
 
@@ -102,9 +101,9 @@ constexpr const char* before_totality = "2008-02-21T02:50:00Z";
 
 TEST_F(PaperFigures, Figure1WithoutAirTheUmbraIsBlackButForTheStars) {
   const auto scene = scene_at(before_totality);
-  const auto found = frame("none", before_totality,
-                           no_dust + Words{"--atmosphere", "none", "--earth", "sphere",
-                                           "--limb-darkening", "off", "--starlight", "on"});
+  const auto found =
+      frame("none", before_totality,
+            no_dust + "--atmosphere none --earth sphere --limb-darkening off --starlight on");
   const auto picture = exposed("none", "4", "Un-tone-mapped");
   for (const auto& at : scene.ground) {
     const double beyond_km = at.axis_km - scene.bodies.umbra_km();
@@ -120,7 +119,7 @@ TEST_F(PaperFigures, Figure1WithoutAirTheUmbraIsBlackButForTheStars) {
 TEST_F(PaperFigures, Figure1AirThatOnlyRefractsLightsTheUmbraMoreThanAllOfItAndLessRed) {
   const auto scene = scene_at(before_totality);
   const auto refracted =
-      frame("refraction", before_totality, no_dust + Words{"--rayleigh", "off", "--ozone-du", "0"});
+      frame("refraction", before_totality, no_dust + "--rayleigh off --ozone-du 0");
   const auto all = frame("all", before_totality, no_dust);
   for (const auto& at : scene.ground) {
     ASSERT_GT(luminance(refracted, at), luminance(all, at)) << at.axis_km;
@@ -139,7 +138,7 @@ TEST_F(PaperFigures, Figure1AirThatOnlyRefractsLightsTheUmbraMoreThanAllOfItAndL
 // -- Figure 4
 
 constexpr const char* partial = "2008-02-21T04:12:44Z";
-const Words usual_dust{"--dust-extinction", "4.7e-6"};
+const Words usual_dust = "--dust-extinction 4.7e-6";
 
 /// Sunlight alone decides, where it is more than all that the air can bend there: what must saturate
 /// and what cannot, by a pixel to either side and 2 %: half floats, texels of the map.
@@ -274,7 +273,7 @@ const std::array<const char*, 3> forecast{"2010-12-21T07:22:17Z", "2010-12-21T07
                                           "2010-12-21T08:16:56Z"};
 
 TEST_F(PaperFigures, Figure7HasThePhasesThatItsCaptionNames) {
-  const auto eclipse = said({"almanac", "--from", "2010-12-20", "--to", "2010-12-22"})[0];
+  const auto eclipse = said("almanac --from 2010-12-20 --to 2010-12-22")[0];
   const auto after = [](const nlohmann::json& event, const char* instant) {
     return almanac::seconds_between(almanac::instant_from_utc(event.get<std::string>()),
                                     almanac::instant_from_utc(instant));
@@ -315,7 +314,7 @@ TEST_F(PaperFiguresThoroughly, Figures7bAnd7cAreCopperAllOverAndTheSecondTheDark
     const auto sensor = exposed("moon", time);
     EXPECT_EQ(saturated_share(sensor, scene), 0);
     expect_copper(sensor, scene, 3500);
-    means.push_back(said({"brightness", "moon.exr"})["mean_luminance_cd_m2"]);
+    means.push_back(said("brightness moon.exr")["mean_luminance_cd_m2"]);
   }
   EXPECT_LT(means[1], means[0]);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a user has set for POV-Ray and gnuplot changes no picture of ours.
-#include "end_to_end/program.h"
+#include "support/program.h"
 
 namespace coppermoon::end_to_end {
 namespace {
@@ -12,7 +12,7 @@ class PersonalSettings : public ProgramTest {
     Words all{"env", "HOME=" + here("home").string()};
     if (!povini.empty()) all.push_back("POVINI=" + here(povini).string());
     all.push_back(COPPERMOON_PROGRAM);
-    all.insert(all.end(), words.begin(), words.end());
+    all += words;
     return run(all);
   }
 
@@ -42,8 +42,8 @@ TEST_F(PersonalSettings, OfPovrayDoNotCount) {
 
 TEST_F(PersonalSettings, OfGnuplotDoNotCount) {
   const auto plot = [](const char* output) {
-    return Words{"shadow",           "2008-02-21T03:26:05Z", "--tolerance", "20%",
-                 "--axis-distances", "0,3000,6000",          "-o",          output};
+    return words_of(
+        "shadow 2008-02-21T03:26:05Z --tolerance 20% --axis-distances 0,3000,6000 -o {}", output);
   };
   expect_done(coppermoon(plot("alone.png")));
   std::filesystem::create_directory(here("home"));

@@ -13,6 +13,7 @@
 #include "eclipse/shadow_axis.h"
 #include "end_to_end/random_numbers.h"
 #include "end_to_end/true_luminance.h"
+#include "support/chance.h"
 #include "support/within.h"
 #include "uses/light/moonlight.h"
 

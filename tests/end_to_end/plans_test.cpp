@@ -3,7 +3,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "end_to_end/program.h"
+#include "support/program.h"
 
 namespace coppermoon::end_to_end {
 namespace {
@@ -25,7 +25,7 @@ class Plans : public ProgramTest {
     static std::map<Words, json> made;
     auto& plan = made[words];
     if (plan.is_null()) {
-      const auto outcome = coppermoon(Words{"plan", "--json", "--albedo-map", "built-in"} + words);
+      const auto outcome = coppermoon(Words("plan --json --albedo-map built-in") + words);
       expect_done(outcome);
       plan = json::parse(outcome.out);
     }
@@ -61,8 +61,8 @@ TEST_F(Plans, OfADeepEclipseHaveScatteredLight) {
 
 TEST_F(Plans, WithoutAnyLightSendNoPhotonsAfterIt) {
   // cloud over the whole limb, and air that scatters nothing: the disc is black
-  const auto plan = this->plan({"2010-12-21T08:19:28Z", "--atmosphere", "molecular", "--rayleigh",
-                                "off", "--cloud-cover", "1", "--tolerance", "6%"});
+  const auto plan = this->plan(
+      "2010-12-21T08:19:28Z --atmosphere molecular --rayleigh off --cloud-cover 1 --tolerance 6%");
   EXPECT_FALSE(computes(plan, "scattered-light"));
   EXPECT_EQ(left_out(plan, "scattered light")["size"], 0);
   EXPECT_LE(plan["predicted"]["error"], 0.06);
@@ -75,14 +75,14 @@ TEST_F(Plans, ThatAreNotToBeHadSaySo) {
   EXPECT_EQ(plan["gave_way"], "tolerance");
   EXPECT_FALSE(this->plan({deep[0]}).contains("gave_way"));
   EXPECT_EQ(this->plan({deep[0], "--budget", "1ms"})["gave_way"], "budget");
-  const auto text = coppermoon({"plan", deep[0], "--tolerance", "0.01%"});
+  const auto text = coppermoon(words_of("plan {} --tolerance 0.01%", deep[0]));
   EXPECT_NE(text.out.find("not reached tolerance: 0.0"), std::string::npos) << text.out;
 }
 
 TEST_F(Plans, OfAToleranceAndAQualityThatSaysAnotherAreRefused) {
   const auto expect_refused = [&](const Words& flags, const std::string& why) {
     Words words{"plan", deep[0]};
-    words.insert(words.end(), flags.begin(), flags.end());
+    words += flags;
     const auto outcome = coppermoon(words);
     EXPECT_EQ(outcome.status, 1);
     EXPECT_EQ(outcome.err, "coppermoon: " + why + "\n");
@@ -90,9 +90,9 @@ TEST_F(Plans, OfAToleranceAndAQualityThatSaysAnotherAreRefused) {
   const auto both = "tolerance = 0.1%, allowed with quality standard, not draft";
   file("both.toml", "quality = 'draft'\ntolerance = '0.1%'\n");
   file("number.toml", "tolerance = 0.1\n");
-  expect_refused({"--tolerance", "0.1%", "--quality", "draft"}, both);
-  expect_refused({"--recipe", "both.toml"}, both);
-  expect_refused({"--recipe", "number.toml"}, "tolerance = 0.1, allowed a percentage as 0.1%");
+  expect_refused("--tolerance 0.1% --quality draft", both);
+  expect_refused("--recipe both.toml", both);
+  expect_refused("--recipe number.toml", "tolerance = 0.1, allowed a percentage as 0.1%");
 }
 
 TEST_F(Plans, OfAVolcanosAirHaveRegions) {
@@ -111,7 +111,7 @@ TEST_F(Plans, OfALowMoonFlattenIt) {
 
 TEST_F(Plans, OfAPreviewAreCoarseAndSmall) {
   const auto draft = plan(preview),
-             standard = plan({preview[0], "--width", "256", "--height", "256"});
+             standard = plan(words_of("{} --width 256 --height 256", preview[0]));
   EXPECT_LE(draft["chosen"]["rays"], standard["chosen"]["rays"]);
   EXPECT_LT(draft["chosen"]["texture-width"], standard["chosen"]["texture-width"]);
   EXPECT_GT(draft["predicted"]["error"], standard["predicted"]["error"]);

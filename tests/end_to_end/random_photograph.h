@@ -16,8 +16,8 @@
 #include "colour/glow.h"
 #include "colour/photograph.h"
 #include "colour/similarity.h"
-#include "end_to_end/program.h"
 #include "end_to_end/random_numbers.h"
+#include "support/program.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 #include "uses/fit/unknowns.h"
@@ -121,10 +121,11 @@ class PhotographsTest : public ProgramTest {
  protected:
   /// A scene-linear frame by POV-Ray, of the true air.
   texture::Image frame_of(const Occasion& occasion, const Words& air) const {
-    const Words still{"still", occasion.instant, "--at", occasion.at(), "-o", "a.png"},
-        view{"--width", "440", "--height", "440", "--field", "0.75", "--time", "1"},
-        moon{"--albedo-map", "built-in", "--texture-width", "1024", "--stars", "off"};
-    const auto outcome = coppermoon(still + view + moon + Words{"--frame", "frame.exr"} + air);
+    const auto still = words_of(
+        "still {} --at {} -o a.png --width 440 --height 440 --field 0.75 --time 1 --albedo-map "
+        "built-in --texture-width 1024 --stars off --frame frame.exr",
+        occasion.instant, occasion.at());
+    const auto outcome = coppermoon(still + air);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return texture::read_image(here("frame.exr"));
   }
@@ -166,8 +167,8 @@ class PhotographsTest : public ProgramTest {
     }
     texture::write_png(here("photo.png"), image, 16);
     if (!jpeg) return "photo.png";
-    const auto outcome = run({"oiiotool", here("photo.png").string(), "-d", "uint8",
-                              "--compression", "jpeg:90", "-o", here("photo.jpg").string()});
+    const auto outcome = run(words_of("oiiotool {} -d uint8 --compression jpeg:90 -o {}",
+                                      here("photo.png"), here("photo.jpg")));
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return "photo.jpg";
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "end_to_end/program.h"
+#include "support/program.h"
 #include "support/within.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
@@ -41,9 +41,7 @@ class Recipes : public ProgramTest {
     file(words.back(), bytes);
   }
 
-  void make_eclipse() const {
-    make_once({"bake", "--recipe", "eclipse.toml", "-o", "eclipse.exr"});
-  }
+  void make_eclipse() const { make_once("bake --recipe eclipse.toml -o eclipse.exr"); }
 
   std::string bytes(const char* name) const {
     const auto text = text_of(here(name));
@@ -58,9 +56,9 @@ class Recipes : public ProgramTest {
 
 TEST_F(Recipes, AreTheSameAsTheirFlags) {
   make_eclipse();
-  make({"bake", "2008-02-21T03:08:26Z", "--rays", "60", "--ozone-du", "200.0", "--dust-extinction",
-        "4.7e-6", "--texture-width", "32", "--rayleigh", "on", "--atmosphere", "undated",
-        "--albedo-map", "built-in", "-o", "flags.exr"});
+  make(
+      "bake 2008-02-21T03:08:26Z --rays 60 --ozone-du 200.0 --dust-extinction 4.7e-6 "
+      "--texture-width 32 --rayleigh on --atmosphere undated --albedo-map built-in -o flags.exr");
   EXPECT_TRUE(bytes("eclipse.exr") == bytes("flags.exr"));
 }
 
@@ -70,15 +68,15 @@ TEST_F(Recipes, OfOneCommandServeAllOthers) {
        "texture-width = 32\nalbedo-map = \"built-in\"\n[camera]\nmodel = \"400mm\"\niso = 800\n"
        "[atmosphere]\nmodel = \"undated\"\n");
   for (const Words& words :
-       {Words{"sky"}, Words{"plan"}, Words{"brightness"}, Words{"bake", "-o", "a.exr"},
-        Words{"scene", "-o", "folder"}, Words{"still", "-o", "a.png"}}) {
-    const auto outcome = coppermoon(words + Words{"--recipe", "night.toml"});
+       {Words{"sky"}, Words{"plan"}, Words{"brightness"}, Words("bake -o a.exr"),
+        Words("scene -o folder"), Words("still -o a.png")}) {
+    const auto outcome = coppermoon(words + "--recipe night.toml");
     EXPECT_EQ(outcome.status, 0) << words[0] << ": " << outcome.err;
     EXPECT_NE(outcome.err.find("U2+10min is 2018-07-27 19:40:"), std::string::npos) << outcome.err;
   }
   // what no command knows is refused by each
   file("wrong.toml", "instant = 2018-07-27T20:21:45Z\nwidht = 48\n");
-  EXPECT_NE(coppermoon({"sky", "--recipe", "wrong.toml"}).err.find("wrong.toml:2: widht"),
+  EXPECT_NE(coppermoon("sky --recipe wrong.toml").err.find("wrong.toml:2: widht"),
             std::string::npos);
 }
 
@@ -106,7 +104,7 @@ TEST_F(Recipes, OfTheLibraryBakeTheSameTexels) {
                        {texture::ExrType::floating});
     const auto recipe = recipe_in("library.exr");
     file("library.toml", recipe);
-    make({"bake", "--recipe", "library.toml", "-o", "program.exr"});
+    make("bake --recipe library.toml -o program.exr");
     EXPECT_TRUE(texture::read_image(here("program.exr")).values ==
                 texture::read_image(here("library.exr")).values)
         << recipe;
@@ -114,25 +112,25 @@ TEST_F(Recipes, OfTheLibraryBakeTheSameTexels) {
 }
 
 TEST_F(Recipes, GiveWayToTheUsersFlags) {
-  make({"bake", "--recipe", "eclipse.toml", "-o", "other.exr", "--ozone-du", "0"});
-  make({"bake", "--ozone-du", "0", "--recipe=eclipse.toml", "-o", "before.exr"});
-  make({"bake", "2008-02-21T03:08:26Z", "--rays", "60", "--ozone-du", "0", "--dust-extinction",
-        "4.7e-6", "--texture-width", "32", "--atmosphere", "undated", "--albedo-map", "built-in",
-        "-o", "flags.exr"});
+  make("bake --recipe eclipse.toml -o other.exr --ozone-du 0");
+  make("bake --ozone-du 0 --recipe=eclipse.toml -o before.exr");
+  make(
+      "bake 2008-02-21T03:08:26Z --rays 60 --ozone-du 0 --dust-extinction 4.7e-6 --texture-width "
+      "32 --atmosphere undated --albedo-map built-in -o flags.exr");
   EXPECT_TRUE(bytes("other.exr") == bytes("flags.exr"));
   EXPECT_TRUE(bytes("before.exr") == bytes("flags.exr"));
 }
 
 TEST_F(Recipes, GiveWayToTheUsersInstant) {
-  make({"bake", "2008-02-21T03:26:05Z", "--recipe", "eclipse.toml", "-o", "later.exr"});
+  make("bake 2008-02-21T03:26:05Z --recipe eclipse.toml -o later.exr");
   EXPECT_NE(recipe_in("later.exr").find("2008-02-21T03:26:05Z"), std::string::npos)
       << recipe_in("later.exr");
 }
 
 TEST_F(Recipes, GiveWayToTheUsersLists) {
   file("shadow.toml", "wavelengths = [450, 550]\naxis-distances = [0, 1000.5]\nrays = 50\n");
-  const Words shadow{"shadow", "--moon-distance-km", "376400",     "--sun-distance-km",
-                     "1.48e8", "--recipe",           "shadow.toml"};
+  const Words shadow =
+      "shadow --moon-distance-km 376400 --sun-distance-km 1.48e8 --recipe shadow.toml";
   const auto as_told = coppermoon(shadow);
   expect_done(as_told);
   EXPECT_TRUE(
@@ -141,7 +139,7 @@ TEST_F(Recipes, GiveWayToTheUsersLists) {
       << as_told.out;
   EXPECT_NE(as_told.out.find("\n1000.5,"), std::string::npos) << as_told.out;
   Words own = shadow;
-  own.insert(own.end(), {"--wavelengths", "650"});
+  own += "--wavelengths 650";
   const auto otherwise = coppermoon(own);
   expect_done(otherwise);
   EXPECT_TRUE(
@@ -150,33 +148,32 @@ TEST_F(Recipes, GiveWayToTheUsersLists) {
 }
 
 TEST_F(Recipes, InAHeaderReproduceTheFile) {
-  make({"bake", "--recipe", "eclipse.toml", "-o", "old.exr", "--space", "acescg", "--type",
-        "float"});
-  make({"bake", "old.exr", "-o", "new.exr"});
+  make("bake --recipe eclipse.toml -o old.exr --space acescg --type float");
+  make("bake old.exr -o new.exr");
   EXPECT_TRUE(bytes("old.exr") == bytes("new.exr"));
-  make({"bake", "--recipe", "old.exr", "-o", "again.exr"});
+  make("bake --recipe old.exr -o again.exr");
   EXPECT_TRUE(bytes("old.exr") == bytes("again.exr"));
 }
 
 TEST_F(Recipes, InAHeaderReproduceAFileWhateverTheSpellingOfItsNumbers) {
-  make({"bake", "2008-02-21T03:08:26Z", "--rays", "060", "--dust-extinction", ".5e-6",
-        "--texture-width", "32", "--albedo-map", "built-in", "--ozone-du", "+200", "-o", "old.exr",
-        "--json"});
-  make({"bake", "old.exr", "-o", "new.exr"});
+  make(
+      "bake 2008-02-21T03:08:26Z --rays 060 --dust-extinction .5e-6 --texture-width 32 "
+      "--albedo-map built-in --ozone-du +200 -o old.exr --json");
+  make("bake old.exr -o new.exr");
   EXPECT_TRUE(bytes("old.exr") == bytes("new.exr"));
 }
 
 TEST_F(Recipes, InAHeaderReproduceAFileWhateverItsMapIsCalled) {
-  make({"bake", "--recipe", "eclipse.toml", "-o", "A \"map\", \xc3\xa4.exr", "--unshadowed"});
-  make({"bake", "--recipe", "eclipse.toml", "-o", "old.exr", "--albedo-map",
-        "A \"map\", \xc3\xa4.exr"});
-  make({"bake", "old.exr", "-o", "new.exr"});
+  make(words_of("bake --recipe eclipse.toml -o {} --unshadowed", "A \"map\", \xc3\xa4.exr"));
+  make(
+      words_of("bake --recipe eclipse.toml -o old.exr --albedo-map {}", "A \"map\", \xc3\xa4.exr"));
+  make("bake old.exr -o new.exr");
   EXPECT_TRUE(bytes("old.exr") == bytes("new.exr"));
 }
 
 TEST_F(Recipes, InAHeaderKeepThePhotometry) {
-  make({"bake", "--recipe", "eclipse.toml", "--photometry", "yapo-cutler", "-o", "old.exr"});
-  make({"bake", "old.exr", "-o", "new.exr"});
+  make("bake --recipe eclipse.toml --photometry yapo-cutler -o old.exr");
+  make("bake old.exr -o new.exr");
   EXPECT_TRUE(bytes("old.exr") == bytes("new.exr"));
   make_eclipse();
   EXPECT_TRUE(texture::read_image(here("old.exr")).values !=
@@ -185,35 +182,24 @@ TEST_F(Recipes, InAHeaderKeepThePhotometry) {
 
 TEST_F(Recipes, InAHeaderGiveWayToTheUsersFlags) {
   make_eclipse();
-  make({"bake", "eclipse.exr", "-o", "wide.exr", "--texture-width", "64"});
+  make("bake eclipse.exr -o wide.exr --texture-width 64");
   EXPECT_EQ(texture::read_image(here("wide.exr")).width, 64U);
 }
 
 TEST_F(Recipes, AreTakenFromAnotherWordsFile) {
-  make({"scene", "--recipe", "eclipse.toml", "--up", "moon-north", "--width", "32", "--height",
-        "32", "-o", "scene"});
-  make({"bake", "scene/moon_lin_rec709.exr", "-o", "new.exr"});
+  make("scene --recipe eclipse.toml --up moon-north --width 32 --height 32 -o scene");
+  make("bake scene/moon_lin_rec709.exr -o new.exr");
   EXPECT_TRUE(texture::read_image(here("new.exr")).values ==
               texture::read_image(here("scene/moon_lin_rec709.exr")).values);
 }
 
 /// A quick eclipse with regions, by flags alone.
 Words with_regions(const Words& regions, const char* output) {
-  Words words{"bake",
-              "2008-02-21T03:08:26Z",
-              "--quality",
-              "draft",
-              "--rays",
-              "20",
-              "--texture-width",
-              "32",
-              "--atmosphere",
-              "undated",
-              "--albedo-map",
-              "built-in"};
-  for (const auto& region : regions) words.insert(words.end(), {"--region", region});
-  words.insert(words.end(), {"-o", output});
-  return words;
+  Words words =
+      "bake 2008-02-21T03:08:26Z --quality draft --rays 20 --texture-width 32 --atmosphere undated "
+      "--albedo-map built-in";
+  for (const auto& region : regions) words += Words{"--region", region};
+  return words + Words{"-o", output};
 }
 
 constexpr const char* quick =
@@ -228,19 +214,19 @@ TEST_F(Recipes, WithRegionsAreTheSameAsTheirFlags) {
                          "dust-extinction = 1e-5\n"
                          "[[atmosphere.region]]\nfrom-position-angle = 330\n"
                          "to-position-angle = 30\ncloud-cover = 1\n");
-  make({"bake", "--recipe", "plume.toml", "-o", "recipe.exr"});
+  make("bake --recipe plume.toml -o recipe.exr");
   make(with_regions({"from-latitude=-90,to-latitude=0,dust-extinction=.1e-4",
                      "from-position-angle=330,to-position-angle=30.0,cloud-cover=1"},
                     "flags.exr"));
   EXPECT_TRUE(bytes("recipe.exr") == bytes("flags.exr"));
-  make({"bake", "recipe.exr", "-o", "again.exr"});
+  make("bake recipe.exr -o again.exr");
   EXPECT_TRUE(bytes("recipe.exr") == bytes("again.exr"));
 }
 
 TEST_F(Recipes, WithRegionsWriteZeroWithoutASign) {
   // TOML's -0 is a whole number, and has none
   make(with_regions({"from-latitude=-.0,to-latitude=0,dust-extinction=1e-5"}, "flags.exr"));
-  make({"bake", "flags.exr", "-o", "recipe.exr"});
+  make("bake flags.exr -o recipe.exr");
   EXPECT_TRUE(bytes("recipe.exr") == bytes("flags.exr"));
 }
 
@@ -248,7 +234,7 @@ TEST_F(Recipes, WithRegionsGiveWayToTheUsers) {
   file("south.toml", std::string(quick) +
                          "[[atmosphere.region]]\nfrom-latitude = -90\nto-latitude = 0\n"
                          "dust-extinction = 1e-4\n");
-  make({"bake", "--recipe", "south.toml", "-o", "recipe.exr", "--region", north});
+  make(words_of("bake --recipe south.toml -o recipe.exr --region {}", north));
   make_once(with_regions({north}, "flags.exr"));
   EXPECT_TRUE(bytes("recipe.exr") == bytes("flags.exr"));
 }
@@ -260,8 +246,7 @@ TEST_F(RecipesThoroughly, PositionAnglesMayPassOverNorth) {
   // set, for more regions are more work, and would be planned otherwise.
   const auto make_with = [&](const Words& regions, const char* output) {
     auto words = with_regions(regions, output);
-    words.insert(words.end(), {"--bands", "20", "--sun-terms", "3", "--planes", "2",
-                               "--place-error", "3e-4", "--leave-out", "none"});
+    words += "--bands 20 --sun-terms 3 --planes 2 --place-error 3e-4 --leave-out none";
     make(words);
   };
   make_with({"from-position-angle=330,to-position-angle=30,cloud-cover=1"}, "one.exr");
@@ -307,18 +292,18 @@ Thirds thirds_of(const texture::Image& frame) {
 TEST_F(RecipesThoroughly, OfAVolcanoDarkensItsHalfOfTheShadow) {
   const std::string example = COPPERMOON_TEST_DATA "/../examples/volcanic_south.toml";
   const auto thirds_with = [&](const Words& more) {
-    Words words{"still",    "--recipe",     example,           "--width", "48",
-                "--height", "48",           "--texture-width", "64",      "--rays",
-                "100",      "--albedo-map", "built-in",        "-o",      "still.png",
-                "--frame",  "frame.exr"};
-    words.insert(words.end(), more.begin(), more.end());
+    auto words = words_of(
+        "still --recipe {} --width 48 --height 48 --texture-width 64 --rays 100 --albedo-map "
+        "built-in -o still.png --frame frame.exr",
+        example);
+    words += more;
     make(words);
     return thirds_of(texture::read_image(here("frame.exr")));
   };
-  const auto calm = thirds_with({"--region", "from-latitude=-90,to-latitude=0"}),
+  const auto calm = thirds_with("--region from-latitude=-90,to-latitude=0"),
              southern = thirds_with({}),
-             northern = thirds_with(
-                 {"--region", "from-latitude=0,to-latitude=90,stratospheric-aerosol=high"});
+             northern =
+                 thirds_with("--region from-latitude=0,to-latitude=90,stratospheric-aerosol=high");
   EXPECT_LT(southern.south, 0.6 * calm.south);
   EXPECT_GT(southern.north, 0.9 * calm.north);
   // The Moon passes north of the axis: its south is lit from all around.

@@ -2,7 +2,7 @@
 // What would hang, wrap around or be said in words that do not help, were it not refused at once.
 #include <sys/stat.h>
 
-#include "end_to_end/program.h"
+#include "support/program.h"
 #include "texture/write_image.h"
 
 namespace coppermoon::end_to_end {
@@ -12,38 +12,32 @@ constexpr const char* eclipsed = "2008-02-21T03:26:05Z";
 
 class Refusals : public ProgramTest {
  protected:
-  void expect_refused(const Words& words, int status, const std::string& why) const {
-    Words timed{"timeout", "20", COPPERMOON_PROGRAM};
-    timed.insert(timed.end(), words.begin(), words.end());
-    const auto outcome = run(timed);
-    EXPECT_EQ(outcome.status, status);
-    EXPECT_EQ(outcome.err, "coppermoon: " + why + "\n");
-  }
 };
 
-constexpr int could_not = 1, wrong_usage = 2;
+const Surroundings soon{.seconds_limit = 20};
 
 TEST_F(Refusals, APipeInThePlaceOfAFileIsRefused) {
   ASSERT_EQ(::mkfifo(here("pipe").c_str(), 0666), 0);
   texture::write_exr(here("a.exr"), texture::Image(4, 2, {"R", "G", "B"}), {});
   for (const auto& words :
        std::vector<Words>{{"fit", "--magnitudes", "pipe"},
-                          {"fit", "pipe", "--instants", eclipsed},
-                          {"merge", "pipe", "-o", "b.exr"},
+                          words_of("fit pipe --instants {}", eclipsed),
+                          "merge pipe -o b.exr",
                           {"compare", "pipe", "a.exr"},
-                          {"develop", "pipe", "-o", "a.png"},
-                          {"develop", "a.exr", "--config", "pipe", "-o", "a.png"},
-                          {"bake", eclipsed, "--recipe", "pipe", "-o", "b.exr"},
-                          {"bake", eclipsed, "--albedo-map", "pipe", "-o", "b.exr"}})
-    expect_refused(words, could_not, "pipe: cannot be read: it is no regular file");
+                          "develop pipe -o a.png",
+                          "develop a.exr --config pipe -o a.png",
+                          words_of("bake {} --recipe pipe -o b.exr", eclipsed),
+                          words_of("bake {} --albedo-map pipe -o b.exr", eclipsed)})
+    expect_refusal(words, "pipe: cannot be read: it is no regular file", could_not, soon);
   ASSERT_EQ(::mkfifo(here("pipe.exr").c_str(), 0666), 0);
-  expect_refused({"bake", "pipe.exr", "-o", "b.exr"}, could_not,
-                 "pipe.exr: cannot be read: it is no regular file");
+  expect_refusal("bake pipe.exr -o b.exr", "pipe.exr: cannot be read: it is no regular file",
+                 could_not, soon);
 }
 
 TEST_F(Refusals, WholeNumbersThatAreNoneOrTooLargeAreNamed) {
   const auto bake = [&](const char* flag, const char* value, const std::string& why) {
-    expect_refused({"bake", eclipsed, flag, value, "-o", "a.exr"}, wrong_usage, why);
+    expect_refusal(words_of("bake {} {} {} -o a.exr", eclipsed, flag, value), why, wrong_usage,
+                   soon);
   };
   bake("--seed", "18446744073709551616",
        "--seed = 18446744073709551616, allowed 0 to 18446744073709551615");
@@ -53,23 +47,23 @@ TEST_F(Refusals, WholeNumbersThatAreNoneOrTooLargeAreNamed) {
 }
 
 TEST_F(Refusals, AnOutputThatAWordDoesNotHaveIsAnsweredWithThoseItHas) {
-  expect_refused({"sky", eclipsed, "-o", "u.csv"}, wrong_usage,
-                 "-o: unknown option of sky; it prints its results");
+  expect_refusal(words_of("sky {} -o u.csv", eclipsed),
+                 "-o: unknown option of sky; it prints its results", wrong_usage, soon);
 }
 
 TEST_F(Refusals, AFlagWithNothingBehindItsSignTakesNotTheNextWord) {
-  expect_refused({"animate", "2018-07-27", "--range=", "-o", "film"}, wrong_usage,
-                 "--range: a value is missing behind the =");
+  expect_refusal("animate 2018-07-27 --range= -o film",
+                 "--range: a value is missing behind the =", wrong_usage, soon);
 }
 
 TEST_F(Refusals, MoreRegionsThanCanBeComputedAreRefusedAtOnce) {
-  Words bake{"bake", eclipsed, "-o", "a.exr"};
+  auto bake = words_of("bake {} -o a.exr", eclipsed);
   for (int i = 0; i < 300; ++i) {
     bake.push_back("--region");
     bake.push_back("from-latitude=-90,to-latitude=0,ozone-du=" + std::to_string(200 + i));
   }
-  expect_refused(bake, could_not,
-                 "regions = 300, allowed up to 72: each has air of its own to compute");
+  expect_refusal(bake, "regions = 300, allowed up to 72: each has air of its own to compute",
+                 could_not, soon);
 }
 
 /// A shell of few descriptors cannot redirect: the folder's remover needs none.
@@ -85,12 +79,12 @@ TEST_F(Refusals, FewFileDescriptorsDoNotTakeTheTemporaryFolderAway) {
 
 TEST_F(Refusals, AMissingFolderForTemporaryFilesIsNamed) {
   const auto outcome =
-      run({"env", "TMPDIR=/no/such", COPPERMOON_PROGRAM, "still", eclipsed, "-o", "a.png"});
+      run(words_of("env TMPDIR=/no/such {} still {} -o a.png", COPPERMOON_PROGRAM, eclipsed));
   EXPECT_EQ(outcome.status, could_not);
   EXPECT_EQ(outcome.err,
             "coppermoon: TMPDIR = /no/such: no such directory, allowed one that is there\n");
   const auto film =
-      run({"env", "TMPDIR=/no/such", COPPERMOON_PROGRAM, "animate", "2018-07-27", "-o", "film"});
+      run(words_of("env TMPDIR=/no/such {} animate 2018-07-27 -o film", COPPERMOON_PROGRAM));
   EXPECT_EQ(film.err, outcome.err);
   EXPECT_FALSE(std::filesystem::exists(here("film"))) << "said before any work";
 }

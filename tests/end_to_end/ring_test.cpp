@@ -9,7 +9,7 @@
 
 #include "almanac/sky.h"
 #include "colour/working_space.h"
-#include "end_to_end/program.h"
+#include "support/program.h"
 #include "support/within.h"
 #include "texture/read_image.h"
 
@@ -30,8 +30,8 @@ double luminance(const Image& image, std::size_t row, std::size_t column) {
 class Ring : public ProgramTest {
  protected:
   Image ring(const std::string& instant, const Words& more = {}) const {
-    Words words{"ring", instant, "-o", "ring.exr"};
-    words.insert(words.end(), more.begin(), more.end());
+    auto words = words_of("ring {} -o ring.exr", instant);
+    words += more;
     expect_done(coppermoon(words));
     return texture::read_image(here("ring.exr"));
   }
@@ -42,20 +42,13 @@ class Ring : public ProgramTest {
   double header(const std::string& name) const {
     return std::stod(said(("coppermoon:" + name).c_str()));
   }
-
-  void expect_refused(const Words& words, const std::string& part) const {
-    const auto outcome = coppermoon(words);
-    EXPECT_EQ(outcome.status, 1);
-    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
-    EXPECT_TRUE(std::filesystem::is_empty(here()));
-  }
 };
 
 using RingThoroughly = Ring;
 
 TEST_F(RingThoroughly, SaysInItsHeaderHowItStandsOnTheSky) {
   const auto image = ring(middle_of_2018);
-  EXPECT_EQ(image.channels, (Words{"R", "G", "B"}));
+  EXPECT_EQ(image.channels, (Words("R G B")));
   EXPECT_EQ(said("capDate"), "2018:07:27 20:22:00");
   EXPECT_EQ(said("coppermoon:colour_space"), "lin_rec709");
   const double distance_km = header("earth_distance_km");
@@ -69,8 +62,8 @@ TEST_F(RingThoroughly, SaysInItsHeaderHowItStandsOnTheSky) {
 }
 
 TEST_F(RingThoroughly, IsMadeAgainFromItsHeader) {
-  ring(late_in_2018, {"--on", "20,30", "--atmosphere", "clear", "--ozone-du", "300"});
-  expect_done(coppermoon({"ring", "ring.exr", "-o", "again.exr"}));
+  ring(late_in_2018, "--on 20,30 --atmosphere clear --ozone-du 300");
+  expect_done(coppermoon("ring ring.exr -o again.exr"));
   EXPECT_TRUE(text_of(here("ring.exr")) == text_of(here("again.exr")));
 }
 
@@ -141,11 +134,11 @@ double illuminance(const Image& image, double inner_deg, double outer_deg) {
 
 // A texture 32 wide has texels about 5.625° and 16.875° from its middle.
 TEST_F(Ring, LightsTheGroundAsTheTextureIsLit) {
-  const auto image = ring(late_in_2018, {"--on", "5.625,16.875", "--atmosphere", "undated"});
-  expect_done(
-      coppermoon({"bake", late_in_2018, "--passes", "--texture-width", "32", "--tolerance", "0.1%",
-                  "--albedo-map", "built-in", "--atmosphere", "undated", "--scattered-light", "off",
-                  "--leave-out", "scattered-light", "-o", "moon.exr"}));
+  const auto image = ring(late_in_2018, "--on 5.625,16.875 --atmosphere undated");
+  expect_done(coppermoon(
+      words_of("bake {} --passes --texture-width 32 --tolerance 0.1% --albedo-map built-in "
+               "--atmosphere undated --scattered-light off --leave-out scattered-light -o moon.exr",
+               late_in_2018)));
   const auto file = OIIO::ImageInput::open(here("moon.exr"));
   ASSERT_TRUE(file);
   constexpr int irradiance = 3;
@@ -158,19 +151,19 @@ TEST_F(Ring, LightsTheGroundAsTheTextureIsLit) {
 
 TEST_F(Ring, ThatCannotBeSeenIsRefused) {
   const auto refused = [&](const Words& words, const std::string& part) {
-    Words all{"ring", "-o", "ring.exr"};
-    all.insert(all.end(), words.begin(), words.end());
+    Words all = "ring -o ring.exr";
+    all += words;
     expect_refused(all, part);
   };
   refused({"2018-07-20T00:00:00Z"}, "no lunar eclipse at 2018-07-20T00:00:00Z; the nearest is");
   refused({middle_of_2018, "--on", "0,180"}, "below the horizon");
-  refused({"2018-07-27T18:40:00Z", "--on", "0,80"}, "of the Sun's light comes straight to");
+  refused("2018-07-27T18:40:00Z --on 0,80", "of the Sun's light comes straight to");
   refused({middle_of_2018, "--on", "95,0"}, "lunar latitude [deg] = 95, allowed -90 to 90");
   refused({middle_of_2018, "--on", "12"}, "place on the Moon = 12, allowed LATITUDE,LONGITUDE");
   refused({middle_of_2018, "--atmosphere", "none"}, "air = none");
   refused({middle_of_2018, "--refraction", "off"}, "the ring is black");
   expect_refused(
-      {"ring", middle_of_2018, "-o", "ring.png"},
+      words_of("ring {} -o ring.png", middle_of_2018),
       "ring.png: a ring ends in .exr (scene-linear; `coppermoon develop` makes a picture of it)");
 }
 

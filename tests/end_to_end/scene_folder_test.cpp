@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "end_to_end/program.h"
+#include "support/program.h"
 #include "support/within.h"
 #include "texture/read_image.h"
 
@@ -14,26 +14,10 @@ namespace {
 class SceneFolder : public ProgramTest {
  protected:
   void write_scene(const std::string& renderer = "povray") const {
-    expect_done(coppermoon({"scene",
-                            "2008-02-21T03:26:05Z",
-                            "--at",
-                            "42.86,-73.77",
-                            "--rays",
-                            "50",
-                            "--albedo-map",
-                            "built-in",
-                            "--atmosphere",
-                            "undated",
-                            "--texture-width",
-                            "64",
-                            "--width",
-                            "32",
-                            "--height",
-                            "24",
-                            "--for",
-                            renderer,
-                            "-o",
-                            "scene"}));
+    expect_done(coppermoon(
+        words_of("scene 2008-02-21T03:26:05Z --at 42.86,-73.77 --rays 50 --albedo-map built-in "
+                 "--atmosphere undated --texture-width 64 --width 32 --height 24 --for {} -o scene",
+                 renderer)));
   }
 };
 
@@ -70,7 +54,7 @@ TEST_F(SceneFolder, ForMitsubaHoldsItsSceneAndTheSameTexture) {
   EXPECT_EQ(texture::read_image(here("scene/moon_lin_rec709.exr")).values, pixels.values);
   EXPECT_EQ(text_of(here("scene/moon_lin_rec709.exr")), texture);
   file("scene/moon.obj", "mine");
-  const auto refused = coppermoon({"scene", "2018-07-27", "--for", "mitsuba", "-o", "scene"});
+  const auto refused = coppermoon("scene 2018-07-27 --for mitsuba -o scene");
   EXPECT_EQ(refused.status, 1);
   EXPECT_EQ(text_of(here("scene/moon.obj")), "mine");
 }
@@ -78,7 +62,7 @@ TEST_F(SceneFolder, ForMitsubaHoldsItsSceneAndTheSameTexture) {
 TEST_F(SceneFolder, RendersWithPovrayAloneWhereverItIsMoved) {
   write_scene();
   std::filesystem::rename(here("scene"), here("moved with spaces"));
-  const auto outcome = run({"povray", "eclipse.ini"}, {.folder = here("moved with spaces")});
+  const auto outcome = run("povray eclipse.ini", {.folder = here("moved with spaces")});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto frame = texture::read_image(here("moved with spaces") / "frame.exr");
   EXPECT_EQ(frame.width, 32U);
@@ -99,7 +83,7 @@ TEST_F(SceneFolder, LosesNoFileOfSomebodyElse) {
         std::filesystem::create_symlink("../precious.txt", path);
       else
         file(std::string("scene/") + name, "mine");
-      const auto outcome = coppermoon({"scene", "2018-07-27", "--at", "Nairobi", "-o", "scene"});
+      const auto outcome = coppermoon("scene 2018-07-27 --at Nairobi -o scene");
       EXPECT_EQ(outcome.status, 1);
       EXPECT_TRUE(outcome.err.starts_with("coppermoon: scene/" + std::string(name) + ": is "))
           << outcome.err;
@@ -125,15 +109,15 @@ std::vector<double> declared(const std::string& text, const std::string& name) {
 TEST_F(SceneFolder, MoonIncHasTheMoonAndItsLightForAnotherScene) {
   write_scene();
   const auto include = text_of(here("scene/moon.inc"));
-  const auto sky = nlohmann::json::parse(
-      coppermoon({"sky", "2008-02-21T03:26:05Z", "--at", "42.86,-73.77", "--json"}).out);
+  const auto sky =
+      nlohmann::json::parse(coppermoon("sky 2008-02-21T03:26:05Z --at 42.86,-73.77 --json").out);
   EXPECT_NEAR(declared(include, "Moon_Azimuth")[0], sky["azimuth_deg"], 1e-5) << "as it is printed";
   EXPECT_NEAR(declared(include, "Moon_Parallactic_Angle")[0], sky["parallactic_angle_deg"], 1e-5);
   // illuminance is mean luminance times the disc's solid angle: both are sums over texels
-  const auto seen = nlohmann::json::parse(
-      coppermoon({"brightness", "2008-02-21T03:26:05Z", "--at", "42.86,-73.77", "--rays", "50",
-                  "--albedo-map", "built-in", "--atmosphere", "undated", "--json"})
-          .out)["seen"];
+  const auto seen =
+      nlohmann::json::parse(coppermoon("brightness 2008-02-21T03:26:05Z --at 42.86,-73.77 --rays "
+                                       "50 --albedo-map built-in --atmosphere undated --json")
+                                .out)["seen"];
   const auto lux = declared(include, "Moon_Illuminance");
   ASSERT_EQ(lux.size(), 3U);
   const double radius = declared(include, "Moon_Diameter")[0] / 2 * std::numbers::pi / 180,
@@ -157,8 +141,7 @@ TEST_F(SceneFolder, MoonIncHasTheSkyTheRightWayRound) {
          "#version 3.7;\nglobal_settings { assumed_gamma 1.0 }\n#include \"moon.inc\"\n"
          "camera { location 0 direction z right x up y angle 1 look_at Coppermoon_Direction(" +
              std::to_string(altitude) + ", " + std::to_string(azimuth) + ") }\nEclipsed_Sky(2)\n");
-    const auto outcome =
-        run({"povray", "look.pov", "+W3", "+H3", "+FE", "-A", "-D"}, {.folder = here("scene")});
+    const auto outcome = run("povray look.pov +W3 +H3 +FE -A -D", {.folder = here("scene")});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     const auto seen = texture::read_image(here("scene/look.exr"));
     const auto row = static_cast<std::size_t>((90 - altitude) / 180 * 512),
@@ -173,8 +156,7 @@ TEST_F(SceneFolder, MoonIncHasTheSkyTheRightWayRound) {
              "camera { location 0 direction z right x up y angle 0.1 look_at "
              "Coppermoon_Direction(Moon_Altitude, Moon_Azimuth) }\nobject { Eclipsed_Moon(1, 1e5) "
              "}\n");
-    const auto outcome =
-        run({"povray", "moon.pov", "+W3", "+H3", "+FE", "-A", "-D"}, {.folder = here("scene")});
+    const auto outcome = run("povray moon.pov +W3 +H3 +FE -A -D", {.folder = here("scene")});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return texture::read_image(here("scene/moon.exr"))(1, 1, 2);
   };
@@ -190,34 +172,15 @@ TEST_F(SceneFolder, MoonIncHasTheSkyTheRightWayRound) {
 }
 
 TEST_F(SceneFolder, ShowsTheSkyThatAStillHas) {
-  const Words dusk{"2025-09-07T18:11Z",
-                   "--at",
-                   "Berlin",
-                   "--rays",
-                   "50",
-                   "--albedo-map",
-                   "built-in",
-                   "--atmosphere",
-                   "undated",
-                   "--texture-width",
-                   "64",
-                   "--width",
-                   "60",
-                   "--height",
-                   "40",
-                   "--up",
-                   "zenith",
-                   "--field",
-                   "9",
-                   "--stars",
-                   "off"};
+  const Words dusk =
+      "2025-09-07T18:11Z --at Berlin --rays 50 --albedo-map built-in --atmosphere undated "
+      "--texture-width 64 --width 60 --height 40 --up zenith --field 9 --stars off";
   // which says that the sky outshines the Moon
-  EXPECT_EQ(coppermoon(Words{"still"} + dusk + Words{"-o", "a.png", "--frame", "still.exr"}).status,
-            0);
+  EXPECT_EQ(coppermoon(Words{"still"} + dusk + "-o a.png --frame still.exr").status, 0);
   const auto still = texture::read_image(here("still.exr"));
   for (const char* sky : {"auto", "off"}) {
-    expect_done(coppermoon(Words{"scene"} + dusk + Words{"--sky", sky, "-o", "scene"}));
-    const auto outcome = run({"povray", "eclipse.ini", "-D"}, {.folder = here("scene")});
+    expect_done(coppermoon(Words{"scene"} + dusk + words_of("--sky {} -o scene", sky)));
+    const auto outcome = run("povray eclipse.ini -D", {.folder = here("scene")});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     const auto scene = texture::read_image(here("scene/frame.exr"));
     for (std::size_t r = 0; r < scene.height; ++r)
@@ -235,11 +198,11 @@ TEST_F(SceneFolder, ShowsTheSkyThatAStillHas) {
 }
 
 TEST_F(SceneFolder, OfTheTutorialsLakeRenders) {
-  expect_done(coppermoon({"scene", "2018-07-27T21:39:00Z", "--at", "52.9,-3.9", "--rays", "50",
-                          "--albedo-map", "built-in", "--texture-width", "256", "-o", "scene"}));
+  expect_done(
+      coppermoon("scene 2018-07-27T21:39:00Z --at 52.9,-3.9 --rays 50 --albedo-map built-in "
+                 "--texture-width 256 -o scene"));
   std::filesystem::copy(COPPERMOON_TEST_DATA "/../examples/gallery/lake.pov", here("scene"));
-  const auto outcome = run({"povray", "lake.pov", "+W96", "+H54", "+FE", "+A0.0", "-J", "-D"},
-                           {.folder = here("scene")});
+  const auto outcome = run("povray lake.pov +W96 +H54 +FE +A0.0 -J -D", {.folder = here("scene")});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto frame = texture::read_image(here("scene/lake.exr"));
   // the Moon stands 6 degrees over the middle of a picture 38 degrees wide: at 0.23 of its height
@@ -260,21 +223,17 @@ TEST_F(SceneFolder, IsWrittenOverAnOldOne) {
 
 TEST_F(SceneFolder, IsMadeAgainFromItsTexture) {
   write_scene();
-  expect_done(coppermoon({"scene", "scene/moon_lin_rec709.exr", "-o", "again"}));
+  expect_done(coppermoon("scene scene/moon_lin_rec709.exr -o again"));
   for (const char* file : {"moon_lin_rec709.exr", "eclipse.pov", "eclipse.ini"})
     EXPECT_EQ(text_of(here("again") / file), text_of(here("scene") / file)) << file;
 }
 
 TEST_F(SceneFolder, OfAStillIsMadeAgainFromItsPicture) {
-  const std::vector<std::string> still{"still",        "2008-02-21T03:26:05Z",
-                                       "--at",         "42.86,-73.77",
-                                       "--albedo-map", "built-in",
-                                       "--atmosphere", "undated",
-                                       "--width",      "32",
-                                       "--height",     "24",
-                                       "-o",           "still.png"};
+  const Words still =
+      "still 2008-02-21T03:26:05Z --at 42.86,-73.77 --albedo-map built-in --atmosphere undated "
+      "--width 32 --height 24 -o still.png";
   expect_done(coppermoon(still));
-  expect_done(coppermoon({"still", "still.png", "-o", "again.png"}));
+  expect_done(coppermoon("still still.png -o again.png"));
   EXPECT_EQ(text_of(here("again.png")), text_of(here("still.png")));
 }
 

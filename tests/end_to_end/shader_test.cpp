@@ -27,19 +27,18 @@ struct Misses {
 };
 
 /// An eclipse whose light takes little time.
-const Words quick{"2018-07-27", "--atmosphere", "undated", "--bands", "20"};
+const Words quick = "2018-07-27 --atmosphere undated --bands 20";
 
 class Shader : public ShaderTest {
  protected:
   EclipseShader shader(Words flags) const {
-    expect_done(coppermoon(Words{"shader"} + flags + Words{"-o", "eclipse"}));
+    expect_done(coppermoon(Words{"shader"} + flags + "-o eclipse"));
     return read_shader(here("eclipse"));
   }
 
   /// Given  flags  moment, air and quality
   texture::Image baked(const Words& flags) const {
-    expect_done(coppermoon(Words{"bake"} + flags +
-                           Words{"--type", "float", "--texture-width", "256", "-o", "moon.exr"}));
+    expect_done(coppermoon(Words{"bake"} + flags + "--type float --texture-width 256 -o moon.exr"));
     return texture::read_image(here("moon.exr"));
   }
 
@@ -70,10 +69,10 @@ class Shader : public ShaderTest {
 using ShaderThoroughly = Shader;
 
 TEST_F(Shader, TimesTheSunlitMoonIsTheBakedMoon) {
-  const Words air{"--scattered-light", "off"};
+  const Words air = "--scattered-light off";
   const auto of = shader(Words{"2018-07-27"} + air);
   EXPECT_LT(of.facts["error"], 0.005) << "its ground is the other half";
-  const auto worst = misses(of, -4000, air, {"--tolerance", "0.3%"});
+  const auto worst = misses(of, -4000, air, "--tolerance 0.3%");
   EXPECT_WITHIN(worst.umbra, 0., 0.01, "as stated; ground of another colour than the mean");
   EXPECT_WITHIN(worst.bright, 0., 0.01, "as stated, also where sunlight begins");
 }
@@ -99,7 +98,8 @@ TEST_F(ShaderThoroughly, TimesTheSunlitMoonIsTheBakedMoonAtAllTimes) {
     const auto of = shader(eclipse);
     EXPECT_LE(of.facts["error"], 0.01) << eclipse[0];
     for (const double seconds : moments) {
-      const auto worst = misses(of, seconds, air, {"--tolerance", tolerance, "--ground", "mean"});
+      const auto worst =
+          misses(of, seconds, air, words_of("--tolerance {} --ground mean", tolerance));
       EXPECT_WITHIN(std::max(worst.umbra, worst.bright), 0., 0.01, "as stated")
           << fmt::format("{} at {} s", eclipse[0], seconds);
     }
@@ -180,8 +180,7 @@ TEST_F(Shader, OfPovRayFindsTheLight) {
           "Eclipse_Blue({0},{1},{2})>, \" \", 0, 9), \"\\n\")\n",
           x, z, y);
     file("eclipse/print.pov", scene);
-    const auto said =
-        run({"povray", "+Iprint.pov", "+W1", "+H1", "-D", "-F"}, {.folder = here("eclipse")});
+    const auto said = run("povray +Iprint.pov +W1 +H1 -D -F", {.folder = here("eclipse")});
     std::vector<Vector> found;
     std::istringstream lines(said.err);
     for (std::string line; std::getline(lines, line);) {
@@ -195,17 +194,15 @@ TEST_F(Shader, OfPovRayFindsTheLight) {
   const auto of = shader(quick);
   expect_in_povray(of, -5400);
   expect_in_povray(of, 1000);
-  const Words air(quick.begin() + 1, quick.end());
-  expect_in_povray(shader(Words{"2018-07-27T19:00:00Z"} + air), 1000);
+  expect_in_povray(shader("2018-07-27T19:00:00Z --atmosphere undated --bands 20"), 1000);
 }
 
 /// The Moon of eclipse.pov, pixel by pixel, by rays of our own.
 TEST_F(Shader, OfPovRayIsAFilm) {
   const auto of = shader(quick);
   const double seconds = -4000;
-  const auto done =
-      run({"povray", "eclipse.pov", "+K-4000", "+W40", "+H40", "+FE", "+Oframe.exr", "-D", "-A"},
-          {.folder = here("eclipse")});
+  const auto done = run("povray eclipse.pov +K-4000 +W40 +H40 +FE +Oframe.exr -D -A",
+                        {.folder = here("eclipse")});
   ASSERT_EQ(done.status, 0) << done.err.substr(0, 2000);
   const auto frame = texture::read_image(here("eclipse/frame.exr"));
   const auto sky = almanac::sky_at(almanac::instant_from_utc(moment(of, seconds)));
@@ -253,7 +250,7 @@ TEST_F(Shader, OfOneMomentIsOnePlaneWhateverTheTime) {
 TEST_F(Shader, WritesOverNothingOfYours) {
   shader(quick);
   file("eclipse/eclipse.glsl", "mine");
-  const auto outcome = coppermoon(Words{"shader"} + quick + Words{"-o", "eclipse"});
+  const auto outcome = coppermoon(Words{"shader"} + quick + "-o eclipse");
   EXPECT_NE(outcome.status, 0);
   EXPECT_NE(outcome.err.find("eclipse.glsl"), std::string::npos) << outcome.err;
   EXPECT_EQ(text_of(here("eclipse/eclipse.glsl")), "mine");
@@ -261,7 +258,7 @@ TEST_F(Shader, WritesOverNothingOfYours) {
 
 TEST_F(Shader, ItsStripsHeaderMakesItAgain) {
   shader(quick);
-  expect_done(coppermoon({"shader", "--recipe", "eclipse/eclipse.exr", "-o", "again"}));
+  expect_done(coppermoon("shader --recipe eclipse/eclipse.exr -o again"));
   for (const auto* name : {"eclipse.exr", "eclipse.osl", "eclipse.json"})
     EXPECT_EQ(text_of(here("again") / name), text_of(here("eclipse") / name)) << name;
 }

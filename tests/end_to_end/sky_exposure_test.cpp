@@ -6,8 +6,8 @@
 #include <numbers>
 #include <random>
 
-#include "end_to_end/program.h"
 #include "support/exposed.h"
+#include "support/program.h"
 #include "texture/read_image.h"
 
 namespace coppermoon::end_to_end {
@@ -20,31 +20,12 @@ class SkyExposure : public ProgramTest {
   /// Whether a place sees a film; each of its pictures is looked at, from moonrise or P1 to moonset or P4.
   bool is_well_exposed(const std::string& date, const std::string& place, const Words& more = {}) {
     fs::remove_all(here("film"));
-    const auto made = coppermoon(Words{"animate",
-                                       date,
-                                       "--at",
-                                       place,
-                                       "--from",
-                                       "moonrise",
-                                       "--to",
-                                       "moonset",
-                                       "--frames",
-                                       "8",
-                                       "--width",
-                                       "48",
-                                       "--height",
-                                       "36",
-                                       "--quality",
-                                       "draft",
-                                       "--texture-width",
-                                       "64",
-                                       "--stars",
-                                       "off",
-                                       "--make",
-                                       "frames,pictures",
-                                       "-o",
-                                       "film"} +
-                                 more);
+    const auto made = coppermoon(
+        words_of(
+            "animate {} --at {} --from moonrise --to moonset --frames 8 --width 48 --height 36 "
+            "--quality draft --texture-width 64 --stars off --make frames,pictures -o film",
+            date, place) +
+        more);
     if (made.status != 0) return false;
     said_ = made.err;
     for (const auto& entry : fs::directory_iterator(here("film"))) {
@@ -73,7 +54,7 @@ class SkyExposure : public ProgramTest {
 };
 
 TEST_F(SkyExposure, OfFilmsFromDuskAndToDawnIsTheirSkysToo) {
-  EXPECT_TRUE(is_well_exposed("2025-09-07", "Sydney", {"--camera", "400mm"}));
+  EXPECT_TRUE(is_well_exposed("2025-09-07", "Sydney", "--camera 400mm"));
   EXPECT_TRUE(is_well_exposed("2025-09-07", "Berlin"));
   EXPECT_NE(said_.find("the Moon cannot be seen in its sky; it can from 2025-09-07T18:"),
             said_.npos)
@@ -83,9 +64,9 @@ TEST_F(SkyExposure, OfFilmsFromDuskAndToDawnIsTheirSkysToo) {
 class SkyExposureThoroughly : public SkyExposure {};
 
 TEST_F(SkyExposureThoroughly, OfFilmsFromAllOverTheEarth) {
-  EXPECT_TRUE(is_well_exposed("2025-09-07", "Sydney", {"--time", "composite"}));
-  EXPECT_TRUE(is_well_exposed("2025-09-07", "Berlin", {"--camera", "400mm"}));
-  EXPECT_TRUE(is_well_exposed("2026-03-03", "Tokyo", {"--time", "auto"}));
+  EXPECT_TRUE(is_well_exposed("2025-09-07", "Sydney", "--time composite"));
+  EXPECT_TRUE(is_well_exposed("2025-09-07", "Berlin", "--camera 400mm"));
+  EXPECT_TRUE(is_well_exposed("2026-03-03", "Tokyo", "--time auto"));
   std::mt19937 random(65);
   const char* dates[] = {"2018-07-27", "2022-05-16", "2025-03-14",
                          "2025-09-07", "2026-03-03", "2028-12-31"};

@@ -2,7 +2,7 @@
 // The program starts without OpenImageIO, and loads it from its module when it first needs an image.
 #include <algorithm>
 
-#include "end_to_end/program.h"
+#include "support/program.h"
 
 namespace coppermoon::end_to_end {
 namespace {
@@ -11,8 +11,8 @@ namespace fs = std::filesystem;
 
 constexpr const char *eclipsed = "2008-02-21T03:26:05Z", *module_name = "coppermoon_images.so";
 
-const Words tiny_bake{"bake",         eclipsed,   "--texture-width", "64", "--bands", "4",
-                      "--albedo-map", "built-in", "--rays",          "60", "-o",      "moon.exr"};
+const auto tiny_bake = words_of(
+    "bake {} --texture-width 64 --bands 4 --albedo-map built-in --rays 60 -o moon.exr", eclipsed);
 
 fs::path module_file() { return fs::path(COPPERMOON_PROGRAM).replace_filename(module_name); }
 
@@ -48,10 +48,10 @@ TEST_F(Start, WhatTouchesNoImageNeedsNoModule) {
        {"almanac", "sky", "plan", "shadow", "brightness", "bake", "ring", "dome", "shader", "scene",
         "still", "animate", "develop", "merge", "compare", "fit", "tradeoff", "describe", "cache"})
     expect_done(run({program, verb, "--help"}));
-  expect_done(run({program, "almanac", "--from", "2008-01-01", "--to", "2008-12-31"}));
+  expect_done(run(words_of("{} almanac --from 2008-01-01 --to 2008-12-31", program)));
   expect_done(run({program, "sky", eclipsed}));
-  expect_done(run({program, "plan", eclipsed, "--albedo-map", "built-in"}));
-  expect_done(run({program, "shadow", eclipsed, "--tolerance", "20%", "--axis-distances", "0"}));
+  expect_done(run(words_of("{} plan {} --albedo-map built-in", program, eclipsed)));
+  expect_done(run(words_of("{} shadow {} --tolerance 20% --axis-distances 0", program, eclipsed)));
 }
 
 TEST_F(Start, AModuleThatIsLostIsNamedInOneLine) {
@@ -62,7 +62,7 @@ TEST_F(Start, AModuleThatIsLostIsNamedInOneLine) {
       lost.string() +
       ": no such file; it is installed with the program, and reads and writes its images";
   expect_error(Words{program} + tiny_bake, why);
-  expect_error({program, "develop", file("a.exr", "").string(), "-o", "a.png"}, why);
+  expect_error(words_of("{} develop {} -o a.png", program, file("a.exr", "")), why);
 }
 
 TEST_F(Start, AModuleThatIsNoneOrOfAnotherVersionIsRefused) {
@@ -98,10 +98,10 @@ TEST_F(Start, TheModuleIsFoundThroughALinkAndWhereverBothAreMovedTo) {
 }
 
 TEST_F(Start, WhatTheModuleThrowsIsOneLineLikeAnyError) {
-  expect_error({COPPERMOON_PROGRAM, "develop", "none.exr", "-o", "a.png"},
+  expect_error(words_of("{} develop none.exr -o a.png", COPPERMOON_PROGRAM),
                "none.exr: cannot be read: no such file");
   file("empty.exr", "");
-  expect_error({COPPERMOON_PROGRAM, "develop", "empty.exr", "-o", "a.png"},
+  expect_error(words_of("{} develop empty.exr -o a.png", COPPERMOON_PROGRAM),
                "empty.exr: cannot be read: it is empty");
 }
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "end_to_end/program.h"
+#include "support/program.h"
 #include "support/within.h"
 
 namespace coppermoon::end_to_end {
@@ -21,17 +21,18 @@ class Terms : public ProgramTest {
   /// In one column of air, but for what a test says.
   std::string air = "undated";
 
-  Ratios shadow(std::vector<std::string> flags) const {
-    flags.insert(flags.begin(), {"shadow", "2008-02-21T03:26:00Z", "--json", "--wavelengths",
-                                 "450,550,600,650,690", "--axis-distances", "0,2300,4400",
-                                 "--atmosphere", air, "--scattered-light", "off"});
-    const auto outcome = coppermoon(flags);
+  Ratios shadow(Words flags) const {
+    const auto outcome =
+        coppermoon(words_of("shadow 2008-02-21T03:26:00Z --json --wavelengths 450,550,600,650,690 "
+                            "--axis-distances 0,2300,4400 --atmosphere {} --scattered-light off",
+                            air) +
+                   flags);
     expect_done(outcome);
     return nlohmann::json::parse(outcome.out).at("irradiance_ratio").get<Ratios>();
   }
 
   /// log₂ of the light with those flags over the light without: stops by [place][colour].
-  Ratios stops(const std::vector<std::string>& flags) const {
+  Ratios stops(const Words& flags) const {
     auto changed = shadow(flags);
     static std::map<std::string, Ratios> without;  // by air, once for all tests
     auto& standard = without[air];
@@ -50,13 +51,10 @@ void expect_between(double stops, double least, double most) {
 
 TEST_F(Terms, OfTheAirOfAMonthAllTakeLight) {
   air = "standard";
-  const std::vector<std::vector<std::string>> without{
-      {"--cloud-chance", "0"},          {"--cirrus", "0"},
-      {"--free-troposphere", "0"},      {"--tropospheric-aerosol", "0"},
-      {"--stratospheric-aerosol", "0"}, {"--oxygen-pairs", "off"},
-      {"--oxygen-bands", "off"},        {"--water-vapour", "0"},
-      {"--nitrogen-dioxide", "off"},    {"--ozone-du", "0"}};
-  for (const auto& flags : without) {
+  for (const Words flags :
+       {"--cloud-chance 0", "--cirrus 0", "--free-troposphere 0", "--tropospheric-aerosol 0",
+        "--stratospheric-aerosol 0", "--oxygen-pairs off", "--oxygen-bands off", "--water-vapour 0",
+        "--nitrogen-dioxide off", "--ozone-du 0"}) {
     const auto change = stops(flags);
     double most = 0;
     for (const auto& place : change)
@@ -70,14 +68,13 @@ TEST_F(Terms, OfTheAirOfAMonthAllTakeLight) {
 
 TEST_F(Terms, BandsOfOxygenAndWaterTakeDeepRedAndLittleOfV) {
   const auto magnitudes = [&](const Words& flags) {
-    Words words{"brightness", "2018-01-31T13:29:51Z", "--json"};
-    words.insert(words.end(), flags.begin(), flags.end());
+    Words words = "brightness 2018-01-31T13:29:51Z --json";
+    words += flags;
     const auto outcome = coppermoon(words);
     expect_done(outcome);
     return nlohmann::json::parse(outcome.out).at("magnitudes");
   };
-  const auto with = magnitudes({}),
-             without = magnitudes({"--oxygen-bands", "off", "--water-vapour", "0"});
+  const auto with = magnitudes({}), without = magnitudes("--oxygen-bands off --water-vapour 0");
   const auto taken = [&](const char* band) {
     return with[band].get<double>() - without[band].get<double>();
   };
@@ -89,7 +86,7 @@ TEST_F(Terms, BandsOfOxygenAndWaterTakeDeepRedAndLittleOfV) {
 TEST_F(Terms, WithoutLimbDarkeningTheShadowIsBrighterAndBluer) {
   // It is lit by the Sun's rim, which has 0.3 to 1 of the disc's mean light and least of it in the
   // blue.
-  const auto change = stops({"--limb-darkening", "off"});
+  const auto change = stops("--limb-darkening off");
   for (const auto place : {axis, half_way, edge}) {
     expect_between(change[place][green], 0.1, std::log2(1 / 0.3));
     EXPECT_GT(change[place][blue], change[place][red] + 0.1);
@@ -99,13 +96,13 @@ TEST_F(Terms, WithoutLimbDarkeningTheShadowIsBrighterAndBluer) {
 TEST_F(Terms, OnASphereTheEdgeIsDarker) {
   // Its limb stands 0 to 21 km higher, 10 km in the mean, and so does its shadow: 100 km at the edge
   // are half a stop.
-  expect_between(stops({"--earth", "sphere"})[edge][green], -0.10, -0.02);
+  expect_between(stops("--earth sphere")[edge][green], -0.10, -0.02);
 }
 
 TEST_F(Terms, AirCutAt42KmLetsMoreThroughOrangeMost) {
   // Rays to the edge pass 20 to 25 km up, where some 2 % of the air they meet and of the ozone is
   // above 42 km: of 1 to 2.3 stops of scattering, and at 600 nm of 2.5 stops of ozone.
-  const auto change = stops({"--density", "yapo-cutler"});
+  const auto change = stops("--density yapo-cutler");
   expect_between(change[edge][orange], 0.01, 0.1);
   expect_between(change[edge][blue], 0.01, 0.1);
   EXPECT_GT(change[edge][orange], change[edge][blue] + 0.005);
@@ -114,14 +111,14 @@ TEST_F(Terms, AirCutAt42KmLetsMoreThroughOrangeMost) {
 TEST_F(Terms, DispersionByTheCrcLightsTheAxisLess) {
   // Its refractivity is 0.3 % smaller: rays that reach the axis pass some 20 m lower, in air denser
   // by as much: 0.3 % of 5 stops.
-  const auto change = stops({"--dispersion", "crc"});
+  const auto change = stops("--dispersion crc");
   expect_between(change[axis][orange], -0.04, -0.004);
   expect_between(change[axis][red], -0.04, -0.004);
 }
 
 TEST_F(Terms, AFixedKingFactorScattersTooMuchRedAndTooLittleBlue) {
   // Bates (1984): F is above 1.050 in the blue and 0.2 % below it in the red, of 14.6 and 3.4 stops.
-  const auto change = stops({"--king-factor", "fixed"});
+  const auto change = stops("--king-factor fixed");
   expect_between(change[axis][blue], 0.0003, 0.02);
   expect_between(change[axis][red], -0.02, -0.003);
 }
@@ -129,14 +126,14 @@ TEST_F(Terms, AFixedKingFactorScattersTooMuchRedAndTooLittleBlue) {
 TEST_F(Terms, WithoutOzoneTheOrangeComesThrough) {
   // 345 DU at 600 nm are 0.047 optical depths, and a ray that grazes the ground meets the layer, 22
   // km above it, at an angle that makes 24 of each, one that grazes 10 km, 33: 1.6 to 2.2 stops.
-  const auto change = stops({"--ozone-du", "0"});
+  const auto change = stops("--ozone-du 0");
   expect_between(change[axis][orange], 1.6, 2.2);
   expect_between(change[axis][blue], 0.01, 0.15);
   EXPECT_GT(change[edge][orange], change[axis][orange] + 0.2) << "the turquoise rim";
 }
 
 TEST_F(Terms, OzoneAsAFilterIsTheSameEverywhere) {
-  const auto none = stops({"--ozone-du", "0"}), filter = stops({"--ozone-path", "filter"});
+  const auto none = stops("--ozone-du 0"), filter = stops("--ozone-path filter");
   const double on_axis = none[axis][orange] - filter[axis][orange];
   for (const auto place : {half_way, edge})
     EXPECT_WITHIN(none[place][orange] - filter[place][orange], on_axis, 1e-3,
@@ -148,14 +145,14 @@ TEST_F(Terms, OzoneAsAFilterIsTheSameEverywhere) {
 TEST_F(Terms, WithoutTroposphericAerosolTheAxisIsBrighter) {
   // A ray h above the ground meets √(2πR/H) exp(−h/H) = 141 exp(−h/H) of 0.07 optical depths, H =
   // 2 km; those to the axis pass at 2 to 6 km: 5.2 to 0.7 stops.
-  const auto change = stops({"--tropospheric-aerosol", "0"});
+  const auto change = stops("--tropospheric-aerosol 0");
   expect_between(change[axis][green], 0.7, 5.2);
   EXPECT_LT(change[half_way][green], change[axis][green] / 2);
   expect_between(change[edge][green], 0.001, 0.1);
 }
 
 TEST_F(Terms, WithoutStratosphericAerosolAllIsBrighterMostOfAllBlue) {
-  const auto change = stops({"--stratospheric-aerosol", "none"});
+  const auto change = stops("--stratospheric-aerosol none");
   for (const auto place : {axis, half_way, edge}) {
     EXPECT_GT(change[place][red], 0.1);
     EXPECT_GT(change[place][blue], change[place][red]);
@@ -163,7 +160,7 @@ TEST_F(Terms, WithoutStratosphericAerosolAllIsBrighterMostOfAllBlue) {
 }
 
 TEST_F(Terms, WithoutCloudTheAxisIsBrighterByAllTheCloudHeldBack) {
-  const auto change = stops({"--cloud-cover", "0"});
+  const auto change = stops("--cloud-cover 0");
   EXPECT_WITHIN(change[axis][green], std::log2(1 / 0.3), 1e-3,
                 "rays bent to the axis pass below 6 km, cloud ends at 10; quadrature 3e-4, twice");
   EXPECT_GT(change[half_way][green], change[edge][green] + 0.2);
@@ -171,14 +168,14 @@ TEST_F(Terms, WithoutCloudTheAxisIsBrighterByAllTheCloudHeldBack) {
 }
 
 TEST_F(Terms, WithoutRayleighScatteringTheAxisIsBrighterAsTheFourthPowerSays) {
-  const auto change = stops({"--rayleigh", "off"});
+  const auto change = stops("--rayleigh off");
   EXPECT_WITHIN_RELATIVE(change[axis][blue] / change[axis][red], std::pow(650. / 450, 4), 0.1,
                          "each colour takes the paths that let it through");
   EXPECT_GT(change[edge][green], 0.5);
 }
 
 TEST_F(Terms, WithoutRefractionTheUmbraIsBlack) {
-  for (const auto& place : shadow({"--refraction", "off"}))
+  for (const auto& place : shadow("--refraction off"))
     for (const double ratio : place) EXPECT_EQ(ratio, 0);
 }
 

@@ -4,8 +4,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "end_to_end/program.h"
 #include "support/csv_rows.h"
+#include "support/program.h"
 #include "support/within.h"
 
 namespace coppermoon::end_to_end {
@@ -13,10 +13,10 @@ namespace {
 
 using Row = std::map<std::string, std::string>;
 
-const Words quick{"tradeoff", "--quick", "--albedo-map", "built-in", "-o", "measured"};
+const Words quick = "tradeoff --quick --albedo-map built-in -o measured";
 
 /// In air of one column, a tenth as dear as that of a date.
-const Words quickest = quick + Words{"--atmosphere", "undated"};
+const Words quickest = quick + "--atmosphere undated";
 
 class Tradeoff : public ProgramTest {
  protected:
@@ -81,7 +81,7 @@ TEST_F(TradeoffThoroughly, MeasuresEverySolverAndEveryErrorFallsAsItIsPaidFor) {
 
 /// In the air of a date, whose tables take seconds: they stand out from what timing errs by.
 TEST_F(TradeoffThoroughly, ExtrapolatesWhatWouldTakeTooLong) {
-  const auto rows = measured(quick + Words{"--only", "photons literal", "--longest", "0"});
+  const auto rows = measured(quick + "--only 'photons literal' --longest 0");
   const auto photons = column(rows, "photons literal", "photons", "photons"),
              seconds = column(rows, "photons literal", "photons", "seconds"),
              errors = column(rows, "photons literal", "photons", "umbra_rms");
@@ -101,14 +101,14 @@ TEST_F(TradeoffThoroughly, ExtrapolatesWhatWouldTakeTooLong) {
 }
 
 TEST_F(TradeoffThoroughly, LeavesNothingWhereThereIsNoRoom) {
-  const auto full = coppermoon(quickest + Words{"--only", "quadrature"}, {.file_limit = 500});
+  const auto full = coppermoon(quickest + "--only quadrature", {.file_limit = 500});
   EXPECT_EQ(full.status, 1);
   EXPECT_EQ(std::count(full.err.begin(), full.err.end(), '\n'), 1) << full.err;
   EXPECT_TRUE(listing().empty()) << "the table has more than 500 bytes";
 }
 
 TEST_F(TradeoffThoroughly, KeepsTheTablesWhenThePlotCannotBeDrawn) {
-  const auto plotless = coppermoon(quickest + Words{"--only", "quadrature"}, {.path = "/nowhere"});
+  const auto plotless = coppermoon(quickest + "--only quadrature", {.path = "/nowhere"});
   EXPECT_EQ(plotless.status, 1);
   EXPECT_NE(plotless.err.find("gnuplot"), std::string::npos) << plotless.err;
   EXPECT_EQ(listing(), std::set<std::string>({"here/measured", "here/measured/tradeoff.csv",
@@ -116,7 +116,7 @@ TEST_F(TradeoffThoroughly, KeepsTheTablesWhenThePlotCannotBeDrawn) {
 }
 
 TEST_F(Tradeoff, SaysItsRowsAsOneDocument) {
-  const auto outcome = coppermoon(quickest + Words{"--only", "quadrature", "--json"});
+  const auto outcome = coppermoon(quickest + "--only quadrature --json");
   expect_done(outcome);
   const auto said = nlohmann::json::parse(outcome.out, nullptr, false);
   const auto written = csv_rows(text_of(here("measured/tradeoff.csv")));
@@ -132,11 +132,11 @@ TEST_F(Tradeoff, SaysItsRowsAsOneDocument) {
 }
 
 TEST_F(Tradeoff, RefusesAFolderThatCannotBeAndASolverThereIsNot) {
-  EXPECT_EQ(coppermoon({"tradeoff", "--quick", "-o", "no/such/folder"}).status, 1);
+  EXPECT_EQ(coppermoon("tradeoff --quick -o no/such/folder").status, 1);
   file("taken", "");
-  EXPECT_EQ(coppermoon({"tradeoff", "--quick", "-o", "taken"}).status, 1);
-  EXPECT_EQ(coppermoon({"tradeoff", "--quick", "--only", "guessing", "-o", "x"}).status, 2);
-  EXPECT_EQ(coppermoon({"tradeoff", "--quick"}).status, 2);
+  EXPECT_EQ(coppermoon("tradeoff --quick -o taken").status, 1);
+  EXPECT_EQ(coppermoon("tradeoff --quick --only guessing -o x").status, 2);
+  EXPECT_EQ(coppermoon("tradeoff --quick").status, 2);
   EXPECT_EQ(listing(), std::set<std::string>({"here/taken"}));
 }
 

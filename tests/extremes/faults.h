@@ -7,23 +7,18 @@
 #include <thread>
 
 #include "algebra/random.h"
-#include "end_to_end/program.h"
+#include "support/program.h"
 #include "support/thorough.h"
 
 namespace coppermoon::extremes {
 
-using end_to_end::expect_done;
-using end_to_end::Outcome;
-using end_to_end::Surroundings;
-using end_to_end::text_of;
-using Words = std::vector<std::string>;
 namespace fs = std::filesystem;
 
 /// How many random moments a test tries.
 inline int moments(int all) { return support::thorough() ? all : 3; }
 
 /// Runs that something happens to.
-class Faults : public end_to_end::ProgramTest {
+class Faults : public ProgramTest {
  protected:
   void done(const Words& words) const { expect_done(coppermoon(words)); }
 

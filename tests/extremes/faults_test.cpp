@@ -17,14 +17,12 @@ constexpr bool address_sanitizer = true;
 constexpr bool address_sanitizer = false;
 #endif
 
-using end_to_end::operator+;
-
 // in the air that is computed soonest: what is killed is the writing of files
-const Words moon{"2008-02-21T03:26:05Z", "--atmosphere", "undated", "--albedo-map", "built-in"};
-const Words bake = Words{"bake"} + moon + Words{"--texture-width", "512", "-o", "moon.exr"};
-const Words frame{"--texture-width", "256", "--width", "96", "--height", "72"};
-const Words still = Words{"still"} + moon + frame + Words{"-o", "moon.png"};
-const Words scene = Words{"scene"} + moon + frame + Words{"-o", "eclipse"};
+const Words moon = "2008-02-21T03:26:05Z --atmosphere undated --albedo-map built-in";
+const Words bake = Words{"bake"} + moon + "--texture-width 512 -o moon.exr";
+const Words frame = "--texture-width 256 --width 96 --height 72";
+const Words still = Words{"still"} + moon + frame + "-o moon.png";
+const Words scene = Words{"scene"} + moon + frame + "-o eclipse";
 
 std::string said(const Outcome& outcome) { return outcome.err.substr(0, outcome.err.find('\n')); }
 
@@ -55,8 +53,7 @@ TEST_F(Faults, SceneKilledLeavesWholeFiles) {
 TEST_F(FaultsThoroughly, PhotonsKilledLeaveWholeSums) {
   const int times = moments(15);
   auto photons = bake;
-  photons.insert(photons.end(), {"--solver", "photons", "--photons", "3e4", "--smoothing-km", "300",
-                                 "--keep", "sums.json"});
+  photons += "--solver photons --photons 3e4 --smoothing-km 300 --keep sums.json";
   expect_whole_wherever_killed(photons, times, [&] {
     fs::remove(here("moon.exr"));
     fs::remove(here("sums.json"));
@@ -76,7 +73,7 @@ TEST_F(Faults, StillInterruptedLeavesNothing) {
   const auto around = with_povray("touch '" + here("rendering").string() + "'\nexec sleep 600\n");
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     auto words = still;
-    words.insert(words.begin(), COPPERMOON_PROGRAM);
+    words = Words{COPPERMOON_PROGRAM} + words;
     const pid_t child = begun(words, around);
     ASSERT_TRUE(appears(here("rendering"))) << signal;
     ::kill(child, signal);
@@ -178,11 +175,11 @@ TEST_F(Faults, ASpectrumOfFourHundredBandsTakesLittleMemory) {
   if (address_sanitizer) GTEST_SKIP() << "AddressSanitizer has memory of its own for all memory";
   auto words = bake;
   words[1] = "2021-11-19T09:03:50Z";  // an umbra's rim, where black air asks for nodes 1 km apart
-  words.insert(words.end(),
-               {"--texture-width", "64", "--spectral", "1", "--tolerance", "1.35%", "--danjon", "0",
-                "--stratospheric-aerosol", "extreme", "--cloud-cover", "0.2"});
+  words = words +
+          "--texture-width 64 --spectral 1 --tolerance 1.35% --danjon 0 "
+          "--stratospheric-aerosol extreme --cloud-cover 0.2";
   const auto outcome = coppermoon(words);
-  end_to_end::expect_done(outcome);
+  expect_done(outcome);
   EXPECT_LT(outcome.most_memory_mb, 400)
       << "the colours alone take 160, light at 20 wavelengths 30 more; 2200 were it in 400 bands";
   tried("`bake --spectral 1` of the darkest air", "memory, in MB", 400, outcome.most_memory_mb);
@@ -190,7 +187,7 @@ TEST_F(Faults, ASpectrumOfFourHundredBandsTakesLittleMemory) {
 
 TEST_F(FaultsThoroughly, TwoRunsIntoOneFileLeaveOneOfThem) {
   auto other = bake;
-  other.insert(other.end(), {"--ozone-du", "100"});
+  other += "--ozone-du 100";
   done(other);
   const auto second = text_of(here("moon.exr"));
   done(bake);
@@ -198,7 +195,7 @@ TEST_F(FaultsThoroughly, TwoRunsIntoOneFileLeaveOneOfThem) {
   ASSERT_TRUE(first != second);
   for (int i = 0; i < 5; ++i) {
     auto words = bake;
-    words.insert(words.begin(), COPPERMOON_PROGRAM);
+    words = Words{COPPERMOON_PROGRAM} + words;
     const pid_t one = begun(words);
     coppermoon(other);
     ended(one);
@@ -211,7 +208,7 @@ TEST_F(FaultsThoroughly, TwoRunsIntoOneFileLeaveOneOfThem) {
 
 TEST_F(FaultsThoroughly, TwoRunsIntoOneFolderLeaveOneOfThem) {
   auto other = scene;
-  other.insert(other.end(), {"--ozone-du", "100", "--width", "120"});
+  other += "--ozone-du 100 --width 120";
   done(other);
   const auto second = files();
   done(scene);
@@ -219,7 +216,7 @@ TEST_F(FaultsThoroughly, TwoRunsIntoOneFolderLeaveOneOfThem) {
   ASSERT_TRUE(first != second);
   for (int i = 0; i < 8; ++i) {
     auto words = scene;
-    words.insert(words.begin(), COPPERMOON_PROGRAM);
+    words = Words{COPPERMOON_PROGRAM} + words;
     const pid_t one = begun(words);
     coppermoon(other);
     ended(one);
@@ -244,11 +241,10 @@ TEST_F(Faults, AClockThatIsSetBackChangesNothing) {
 
 TEST_F(FaultsThoroughly, SumsThatAreSpoiltAreRefused) {
   auto photons = bake;
-  photons.insert(photons.end(),
-                 {"--solver", "photons", "--photons", "2e3", "--smoothing-km", "300"});
+  photons += "--solver photons --photons 2e3 --smoothing-km 300";
   auto keep = photons, add = photons;
-  keep.insert(keep.end(), {"--keep", "sums.json"});
-  add.insert(add.end(), {"--add", "sums.json"});
+  keep += "--keep sums.json";
+  add += "--add sums.json";
   done(keep);
   const auto sums = text_of(here("sums.json"));
   fs::remove(here("moon.exr"));

@@ -13,30 +13,9 @@
 namespace coppermoon::extremes {
 namespace {
 
-const Words film{"animate",
-                 "2018-07-27",
-                 "--from",
-                 "U1",
-                 "--to",
-                 "U2",
-                 "--frames",
-                 "8",
-                 "--at",
-                 "-21,55",
-                 "--field",
-                 "0.9",
-                 "--texture-width",
-                 "256",
-                 "--albedo-map",
-                 "built-in",
-                 "--width",
-                 "72",
-                 "--height",
-                 "48",
-                 "--make",
-                 "frames,pictures",
-                 "-o",
-                 "film"};
+const Words film =
+    "animate 2018-07-27 --from U1 --to U2 --frames 8 --at -21,55 --field 0.9 --texture-width 256 "
+    "--albedo-map built-in --width 72 --height 48 --make frames,pictures -o film";
 
 class FilmFaults : public Faults {
  protected:

@@ -6,6 +6,7 @@
 #include "algebra/error.h"
 #include "almanac/instant.h"
 #include "extremes/untrusted.h"
+#include "support/refusals.h"
 #include "support/within.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
@@ -29,18 +30,13 @@ class Maps : public Untrusted {
     tried("albedo map: " + what, "the value it was given, over itself", tolerance, worst);
   }
 
-  std::string refusal_of(const std::filesystem::path& map) const {
-    try {
-      texture::read_albedo_map(here(map.string()));
-    } catch (const algebra::Error& error) {
-      return error.what();
-    }
-    return {};
+  std::string refusal(const std::filesystem::path& map) const {
+    return refusal_of([&] { texture::read_albedo_map(here(map.string())); });
   }
 
   void expect_map_refused(const std::string& what, const std::filesystem::path& map,
                           const std::string& part) const {
-    const auto line = refusal_of(map);
+    const auto line = refusal(map);
     EXPECT_NE(line.find(part), std::string::npos) << what << ": " << line;
     EXPECT_EQ(line.find('\n'), std::string::npos) << what << ": " << line;
     refused("albedo map: " + what, line.substr(line.find(": ") + 2));
@@ -69,28 +65,28 @@ TEST_F(Maps, OfEveryDepthAndNumberOfChannelsAreRead) {
                          {"floating point, 1 channel", "8x4", "1", "float", "a.exr", 0.5},
                          {"7 channels", "8x4", "7", "half", "a.exr", 0.5},
                          {"JPEG", "64x32", "3", "uint8", "a.jpg", byte}}) {
-    oiiotool({"--create", size, channels, "--addc", "0.5", "-d", type, "-o", name});
+    oiiotool(words_of("--create {} {} --addc 0.5 -d {} -o {}", size, channels, type, name));
     expect_uniform(what, name, value, tolerance);
   }
 }
 
 TEST_F(Maps, InTilesOfSeveralPartsAndInInksAreRead) {
-  const Words rgb{"--create", "64x32", "3", "--addc", "0.5"};
-  oiiotool(rgb + Words{"-d", "uint16", "--tile", "16", "16", "-o", "tiled.tif"});
+  const Words rgb = "--create 64x32 3 --addc 0.5";
+  oiiotool(rgb + "-d uint16 --tile 16 16 -o tiled.tif");
   expect_uniform("TIFF in tiles", "tiled.tif", srgb(32768 / 65535.));
-  oiiotool(rgb + Words{"-d", "half", "--tile", "48", "48", "-o", "tiled.exr"});
+  oiiotool(rgb + "-d half --tile 48 48 -o tiled.exr");
   expect_uniform("EXR in tiles that do not fit", "tiled.exr", 0.5);
-  oiiotool(rgb + Words{"-d", "half", "--create", "64x32", "1", "--siappend", "-o", "two.exr"});
+  oiiotool(rgb + "-d half --create 64x32 1 --siappend -o two.exr");
   expect_uniform("EXR of two parts: the first", "two.exr", 0.5);
-  const Words inks{"--create", "8x4", "4", "-d", "uint8", "--attrib", "tiff:ColorSpace", "CMYK"};
-  oiiotool(inks + Words{"--chnames", "C,M,Y,K", "-o", "cmyk.tif"});
+  const Words inks = "--create 8x4 4 -d uint8 --attrib tiff:ColorSpace CMYK";
+  oiiotool(inks + "--chnames C,M,Y,K -o cmyk.tif");
   expect_uniform("TIFF of CMYK, no ink there: white", "cmyk.tif", 1);
-  oiiotool(inks + Words{"-o", "inks.tif"});
+  oiiotool(inks + "-o inks.tif");
   expect_map_refused("TIFF of four other inks", "inks.tif", "channels of inks, allowed");
 }
 
 TEST_F(Maps, AreReadWhateverTheirNameSays) {
-  oiiotool({"--create", "8x4", "3", "--addc", "0.5", "-d", "uint8", "-o", "a.png"});
+  oiiotool("--create 8x4 3 --addc 0.5 -d uint8 -o a.png");
   for (const char* name : {"a.tif", "a.exr", "a.what", "a"}) {
     std::filesystem::copy_file(here("a.png"), here(name));
     expect_uniform(fmt::format("a PNG named {}", name), name, srgb(128 / 255.));
@@ -115,10 +111,9 @@ TEST_F(Maps, WithOneTexelThatIsNoneAreRefused) {
 TEST_F(Maps, OfAnotherShapeAreRefused) {
   expect_map_refused("1 x 1", float_map(1, 1, {0.5F}), "1 x 1 texels, allowed 2:1");
   expect_map_refused("1 x 2", float_map(1, 2, {0.5F, 0.5F}), "1 x 2 texels, allowed 2:1");
-  oiiotool({"--create", "65536x2", "1", "--addc", "0.5", "-d", "uint8", "-o", "wide.tif"});
+  oiiotool("--create 65536x2 1 --addc 0.5 -d uint8 -o wide.tif");
   expect_map_refused("65536 x 2", "wide.tif", "65536 x 2 texels, allowed 2:1");
-  oiiotool({"--create", "8x4", "1", "--addc", "0.5", "--fullsize", "16x8", "-d", "half", "-o",
-            "cut.exr"});
+  oiiotool("--create 8x4 1 --addc 0.5 --fullsize 16x8 -d half -o cut.exr");
   expect_map_refused("cropped", "cut.exr", "cropped from 16 x 8 texels");
 }
 
@@ -148,8 +143,7 @@ TEST_F(Maps, ThatClaimMoreThanTheirFileCanHoldAreRefused) {
 
 /// OpenEXR would take the memory, and the seconds to clear it, before it found the file's end.
 TEST_F(Maps, WhoseHeadersClaimMoreThanTheFileAreRefused) {
-  oiiotool({"--create", "4x2", "1", "--addc", "0.5", "-d", "half", "--attrib", "note", "here", "-o",
-            "a.exr"});
+  oiiotool("--create 4x2 1 --addc 0.5 -d half --attrib note here -o a.exr");
   const auto whole = text_of(here("a.exr"));
   const auto claim = [&](std::string_view attribute, std::string_view size) {
     auto bytes = whole;
@@ -170,16 +164,14 @@ TEST_F(Maps, WhoseHeadersClaimMoreThanTheFileAreRefused) {
 }
 
 TEST_F(Maps, WhoseTilesClaimMoreThanTheFileAreRefused) {
-  oiiotool({"--create", "32x16", "3", "--addc", "0.5", "-d", "half", "--tile", "64", "64", "-o",
-            "a.exr"});
+  oiiotool("--create 32x16 3 --addc 0.5 -d half --tile 64 64 -o a.exr");
   auto bytes = text_of(here("a.exr"));
   // the tile's width, its height behind it
   bytes.replace(bytes.find(std::string_view("tiles\0tiledesc\0", 15)) + 15 + 4 + 4, 4,
                 std::string_view("\x40\x00\x28\x00", 4));
   file("claim.exr", bytes);
   expect_map_refused("an EXR with a tile of 2 GB", "claim.exr", "\"tiles\" of 9");
-  oiiotool({"--create", "32x16", "3", "--addc", "0.5", "-d", "uint16", "--tile", "64", "64", "-o",
-            "a.tif"});
+  oiiotool("--create 32x16 3 --addc 0.5 -d uint16 --tile 64 64 -o a.tif");
   bytes = text_of(here("a.tif"));
   for (const auto* tag : {"\x42\x01", "\x43\x01"}) {  // its width, its height
     const auto field = bytes.find(std::string(tag) + std::string("\x03\0\x01\0\0\0\x40", 7));
@@ -191,7 +183,7 @@ TEST_F(Maps, WhoseTilesClaimMoreThanTheFileAreRefused) {
 }
 
 TEST_F(Maps, WhoseChunksClaimMoreThanTheFileAreRefused) {
-  oiiotool({"--create", "2x1", "1", "-d", "uint8", "--attrib", "note", "here", "-o", "a.png"});
+  oiiotool("--create 2x1 1 -d uint8 --attrib note here -o a.png");
   auto bytes = text_of(here("a.png"));
   bytes.replace(bytes.find("IDAT") - 4, 4, "\x6F\0\0\0", 4);
   file("claim.png", bytes);
@@ -199,13 +191,12 @@ TEST_F(Maps, WhoseChunksClaimMoreThanTheFileAreRefused) {
 }
 
 TEST_F(Maps, CutShortAreRefused) {
-  const Words spotted{"--pattern", "noise", "64x32", "3", "--clamp:min=0:max=1", "-d"};
-  oiiotool(spotted + Words{"uint8", "-o", "a.png", "-o", "a.tif", "-o", "a.jpg", "--compression",
-                           "none", "-o", "plain.tif"});
-  oiiotool(spotted + Words{"half", "--compression", "piz", "-o", "a.exr"});
+  const Words spotted = "--pattern noise 64x32 3 --clamp:min=0:max=1 -d";
+  oiiotool(spotted + "uint8 -o a.png -o a.tif -o a.jpg --compression none -o plain.tif");
+  oiiotool(spotted + "half --compression piz -o a.exr");
   for (const std::string name : {"a.png", "a.tif", "plain.tif", "a.jpg", "a.exr"}) {
     const auto whole = text_of(here(name));
-    EXPECT_EQ(refusal_of(name), "");
+    EXPECT_EQ(refusal(name), "");
     for (std::size_t tenths = 1; tenths < 10; ++tenths) {
       file("cut-" + name, whole.substr(0, whole.size() * tenths / 10));
       expect_map_refused(fmt::format("{}/10 of {}", tenths, name), "cut-" + name,
@@ -216,7 +207,7 @@ TEST_F(Maps, CutShortAreRefused) {
 
 TEST_F(Maps, AreBakedOrRefusedInOneLine) {
   const auto baked = [&](const std::filesystem::path& map) {
-    return coppermoon(bake({"--albedo-map", map.string(), "-o", "moon.exr"}));
+    return coppermoon(bake(words_of("--albedo-map {} -o moon.exr", map)));
   };
   expect_refused("bake of a map that is cut short", baked(file("a.png", "\x89PNG\r\n\x1a\n")),
                  "a.png: cannot be read");
@@ -229,14 +220,14 @@ class Recipes : public Untrusted {
  protected:
   Outcome baked_by(const std::string& recipe) const {
     file("a.toml", recipe);
-    return coppermoon(bake({"--albedo-map", "built-in", "--recipe", "a.toml", "-o", "by.exr"}));
+    return coppermoon(bake("--albedo-map built-in --recipe a.toml -o by.exr"));
   }
 
   /// The recipe makes what its flags make, to the last bit.
   void expect_same(const std::string& what, const std::string& recipe, const Words& flags) const {
     const auto outcome = baked_by(recipe);
     ASSERT_EQ(outcome.status, 0) << what << ": " << outcome.err;
-    coppermoon(bake(Words{"--albedo-map", "built-in", "-o", "flags.exr"} + flags));
+    coppermoon(bake(Words("--albedo-map built-in -o flags.exr") + flags));
     EXPECT_EQ(text_of(here("by.exr")), text_of(here("flags.exr"))) << what;
     tried("recipe: " + what, "the bytes that its flags make");
   }
@@ -250,13 +241,13 @@ class Recipes : public Untrusted {
 
 TEST_F(Recipes, ThatTomlAllowsAreTaken) {
   expect_same("empty", "", {});
-  expect_same("a byte order mark", "\xEF\xBB\xBFseed = 5\n", {"--seed", "5"});
+  expect_same("a byte order mark", "\xEF\xBB\xBFseed = 5\n", "--seed 5");
   expect_same("lines that end as in DOS", "seed = 5\r\nozone-du = 300\r\n",
-              {"--seed", "5", "--ozone-du", "300"});
+              "--seed 5 --ozone-du 300");
   expect_same("hexadecimal, and digits apart", "seed = 0x10\nozone-du = 3_0_0.0\n",
-              {"--seed", "16", "--ozone-du", "300"});
+              "--seed 16 --ozone-du 300");
   expect_same("a megabyte of comment", "seed = 5\n#" + std::string(1'000'000, 'x') + "\n",
-              {"--seed", "5"});
+              "--seed 5");
 }
 
 TEST_F(Recipes, ThatTomlDoesNotAllowAreRefused) {
@@ -289,7 +280,7 @@ TEST_F(Recipes, WithoutEndAreRefused) {
   for (int i = 0; i < 300'000; ++i) name += ".a";
   expect_recipe_refused("a name of 300000 parts", name + " = 5\n", "a name of more than 16 parts");
   expect_recipe_refused("a table of 300000 parts", "['x'" + name.substr(1) + "]\n", "16 parts");
-  const auto outcome = coppermoon(bake({"--recipe", "/dev/zero", "-o", "by.exr"}));
+  const auto outcome = coppermoon(bake("--recipe /dev/zero -o by.exr"));
   expect_refused("recipe: /dev/zero", outcome, "/dev/zero: cannot be read: it is no regular file");
 }
 
@@ -300,9 +291,9 @@ TEST_F(Recipes, InHeadersWriteNowhere) {
                        std::string("output = \"evil.exr\"\nkeep = \"evil.json\"\nhelp = true\n"
                                    "texture-width = 16\nunshadowed = true\nthreads = 1\n"
                                    "albedo-map = \"built-in\"\ninstant = \"2008-02-21\"\n")}});
-  const auto nameless = coppermoon({"bake", "theirs.exr"});
+  const auto nameless = coppermoon("bake theirs.exr");
   expect_refused("header that names an output", nameless, "--output", wrong_usage);
-  const auto made = coppermoon({"bake", "theirs.exr", "-o", "mine.exr"});
+  const auto made = coppermoon("bake theirs.exr -o mine.exr");
   EXPECT_EQ(made.status, 0) << made.err;
   const std::set<std::string> expected{"here/mine.exr", "here/theirs.exr"};
   EXPECT_EQ(listing(), expected);
@@ -320,7 +311,7 @@ TEST(Instants, OfOneMomentAreOne) {
        "2008-02-21T03:26:00.0000000000000000000000"},
       {"2008-02-21", "2008-02-21Z", "2008-02-21T00:00", "20080221", "2008-02-20T24:00:00Z"},
       {"2008-02-21T03:26", "2008-02-21t03:26z", "20080221T0326Z"},
-      {"-0584-05-22T12:00Z", "-0584-05-22T12:00:00.000Z"}};
+      "-0584-05-22T12:00Z -0584-05-22T12:00:00.000Z"};
   for (const auto& spellings : alike)
     for (const auto& spelling : spellings) {
       EXPECT_EQ(tt_days(spelling), tt_days(spellings[0])) << spelling;
@@ -381,10 +372,10 @@ class Sums : public Untrusted {
  protected:
   /// A shadow of few photons.
   Outcome shadow(const Words& more) const {
-    return coppermoon(Words{"shadow", "--moon-distance-km", "380000", "--sun-distance-km", "1.5e8",
-                            "--solver", "photons", "--photons", "20480", "--ring-km", "1000",
-                            "--rays", "50", "--wavelengths", "450,650"} +
-                      more);
+    return coppermoon(
+        Words("shadow --moon-distance-km 380000 --sun-distance-km 1.5e8 --solver photons --photons "
+              "20480 --ring-km 1000 --rays 50 --wavelengths 450,650") +
+        more);
   }
 
   void expect_sums_refused(const std::string& what, const Words& flags, const char* part) const {
@@ -394,8 +385,8 @@ class Sums : public Untrusted {
   }
 
   void SetUp() override {
-    ASSERT_EQ(shadow({"--shard", "1/2", "--keep", "one"}).status, 0);
-    ASSERT_EQ(shadow({"--shard", "2/2", "--keep", "two"}).status, 0);
+    ASSERT_EQ(shadow("--shard 1/2 --keep one").status, 0);
+    ASSERT_EQ(shadow("--shard 2/2 --keep two").status, 0);
   }
 
   std::string with(const char* name, const nlohmann::json& value) const {
@@ -406,7 +397,7 @@ class Sums : public Untrusted {
 };
 
 TEST_F(Sums, OfAllPartsAreTheWhole) {
-  const auto together = shadow({"--add", "one", "--add", "two"}), whole = shadow({});
+  const auto together = shadow("--add one --add two"), whole = shadow({});
   ASSERT_EQ(together.status, 0) << together.err;
   EXPECT_EQ(together.out, whole.out) << "six digits are printed, sums differ by rounding";
   tried("photons' sums: two shards", "what one run prints");
@@ -423,18 +414,18 @@ TEST_F(Sums, CutShortAreRefused) {
 
 TEST_F(Sums, OfAnotherKindAreRefused) {
   file("other", with("version", 2));
-  expect_sums_refused("another version", {"--add", "other"}, "version = 2, allowed 1");
+  expect_sums_refused("another version", "--add other", "version = 2, allowed 1");
   file("other", with("wavelengths_nm", {450, 651}));
-  expect_sums_refused("other wavelengths", {"--add", "other"}, "photons of different");
+  expect_sums_refused("other wavelengths", "--add other", "photons of different");
   file("other", with("kind", "recipe"));
-  expect_sums_refused("another kind", {"--add", "other"}, "other: these are no photons' sums");
+  expect_sums_refused("another kind", "--add other", "other: these are no photons' sums");
   file("other", with("rings", 999'999));
-  expect_sums_refused("more rings than cells", {"--add", "other"}, "cells");
+  expect_sums_refused("more rings than cells", "--add other", "cells");
   file("other", std::string(1'000'000, '['));
-  expect_sums_refused("a million lists in lists", {"--add", "other"}, "other: no JSON");
+  expect_sums_refused("a million lists in lists", "--add other", "other: no JSON");
   expect_sums_refused("nothing", {"--add", file("empty", "").string()}, "empty: no JSON at byte");
-  expect_sums_refused("the same shard twice", {"--add", "one", "--add", "one"}, "are in both");
-  expect_sums_refused("a folder", {"--add", "."}, ".: ");
+  expect_sums_refused("the same shard twice", "--add one --add one", "are in both");
+  expect_sums_refused("a folder", "--add .", ".: ");
 }
 
 /// Magnitudes that someone wrote down.
@@ -481,7 +472,7 @@ TEST_F(Photographs, ThatDoNotGoTogetherAreRefused) {
   photograph("endless.exr", 4, four, INFINITY);
   photograph("three.exr", 4, {"R", "G", "B"});
   const auto merged = [&](const char* name) {
-    return coppermoon({"merge", "a.exr", name, "-o", "b.exr"});
+    return coppermoon(words_of("merge a.exr {} -o b.exr", name));
   };
   expect_refused("merge: another size", merged("wide.exr"), "5 x 2 pixels, allowed 4 x 2");
   expect_refused("merge: without valid", merged("three.exr"),

@@ -2,15 +2,15 @@
 // The sweep's recipes draw every key that there is, or tell why not.
 #include <nlohmann/json.hpp>
 
-#include "end_to_end/program.h"
 #include "extremes/random_recipe.h"
+#include "support/program.h"
 
 namespace coppermoon::extremes {
 namespace {
 
-class RandomRecipesTest : public end_to_end::ProgramTest {
+class RandomRecipesTest : public ProgramTest {
  protected:
-  const RandomRecipes recipes{nlohmann::json::parse(coppermoon({"describe", "--json"}).out)};
+  const RandomRecipes recipes{nlohmann::json::parse(coppermoon("describe --json").out)};
 
   std::set<std::string> names_of(const char* command) const {
     std::set<std::string> names;

@@ -10,17 +10,14 @@
 #include <map>
 
 #include "algebra/random.h"
-#include "end_to_end/program.h"
 #include "extremes/tried.h"
+#include "support/program.h"
 #include "texture/read_image.h"
 
 namespace coppermoon::extremes {
 namespace {
 
 using algebra::Random;
-using end_to_end::Outcome;
-using end_to_end::text_of;
-using Words = std::vector<std::string>;
 using Files = std::map<std::string, std::string>;  ///< bytes by name
 namespace fs = std::filesystem;
 
@@ -36,7 +33,7 @@ struct Command {
   Words words;
   std::vector<std::string> reads, writes;
 
-  void add(const Words& more) { words.insert(words.end(), more.begin(), more.end()); }
+  void add(const Words& more) { words += more; }
 
   void maybe_add(Random& random, double chance, const std::string& flag, const Words& values) {
     if (random.uniform() < chance) add({flag, one_of(random, values)});
@@ -101,7 +98,7 @@ Command compare(Random& random) {
   command.read(input(random, "picture.png"));
   command.read(input(random, "frame.exr"));
   if (random.uniform() < 0.7) command.write("-o", output(random, "sheet.png"));
-  command.maybe_add(random, 0.3, "--bins", {"1", "12", "1000", "0", "-1"});
+  command.maybe_add(random, 0.3, "--bins", "1 12 1000 0 -1");
   command.maybe_add(random, 0.3, "--exposure", {"exif", "fit", "none"});
   command.maybe_add(random, 0.2, "--coding", {"srgb", "linear", "gamma"});
   return command;
@@ -115,12 +112,12 @@ Command fit(Random& random) {
   } else {
     command.read(input(random, "picture.png"));
     command.maybe_add(random, 0.9, "--instants", {instant, "2018-07-27T20:21:00Z", "noon"});
-    command.maybe_add(random, 0.9, "--times", {"1", "0.1", "-1"});
+    command.maybe_add(random, 0.9, "--times", "1 0.1 -1");
     command.maybe_add(random, 0.9, "--isos", {"800", "0"});
     command.maybe_add(random, 0.9, "--f-number", {"8", "0"});
   }
   command.maybe_add(random, 0.3, "--albedo-map", {"built-in", "picture.png", "none.png"});
-  command.add({"--quality", "draft", "--json"});
+  command.add("--quality draft --json");
   return command;
 }
 
@@ -129,7 +126,7 @@ Command ring(Random& random) {
   command.read(random.uniform() < 0.9 ? instant : one_of(random, {"frame.exr", "2018-07-28"}));
   command.write("-o", output(random, "ring.exr"));
   command.maybe_add(random, 0.3, "--atmosphere", {"paper", "clear", "none", "thin"});
-  command.maybe_add(random, 0.3, "--on", {"0,0", "89,10", "-91,0", "here"});
+  command.maybe_add(random, 0.3, "--on", "0,0 89,10 -91,0 here");
   command.maybe_add(random, 0.3, "--scale", {"1e-3", "1e9", "0"});
   return command;
 }
@@ -138,8 +135,7 @@ Command ring(Random& random) {
 Command animate(Random& random) {
   Command command{{"animate", random.uniform() < 0.95 ? "2018-07-27" : "2018-03-01"}, {}, {}};
   command.write("-o", random.uniform() < 0.9 ? "film" : output(random, "film"));
-  command.add({"--from", "U1", "--to", "U2", "--quality", "draft", "--width", "16", "--height",
-               "12", "--texture-width", "32"});
+  command.add("--from U1 --to U2 --quality draft --width 16 --height 12 --texture-width 32");
   command.maybe_add(random, 0.9, "--albedo-map", {"built-in", "picture.png"});
   command.maybe_add(random, 0.9, "--frames", {"1", "2", "3", "0"});
   command.maybe_add(random, 0.7, "--make",
@@ -161,18 +157,16 @@ Command random_command(std::uint64_t index) {
   return kinds[static_cast<std::size_t>(random.uniform() * kinds.size())](random);
 }
 
-class SweepOfFiles : public end_to_end::ProgramTest, public testing::WithParamInterface<int> {
+class SweepOfFiles : public ProgramTest, public testing::WithParamInterface<int> {
  protected:
   void SetUp() override {
-    const Words camera{"--camera", "refractor", "--focal-length", "400",
-                       "--width",  "48",        "--height",       "32"};
+    const Words camera = "--camera refractor --focal-length 400 --width 48 --height 32";
+    require_made(words_of("still {} --albedo-map built-in --quality draft -o picture.png --frame "
+                          "frame.exr --time 1 --photograph over.exr",
+                          instant),
+                 camera);
     require_made(
-        Words{"still", instant, "--albedo-map", "built-in", "--quality", "draft", "-o",
-              "picture.png", "--frame", "frame.exr", "--time", "1", "--photograph", "over.exr"},
-        camera);
-    require_made({"develop", "frame.exr", "-o", "under.png", "--time", "0.1", "--photograph",
-                  "under.exr", "--camera", "refractor"},
-                 {});
+        "develop frame.exr -o under.png --time 0.1 --photograph under.exr --camera refractor", {});
     file("list.csv",
          "instant,band,magnitude,error\n2018-07-27T19:00:00Z,V,-5.2,0.1\n"
          "2018-07-27T20:21:00Z,V,-0.4,0.1\n");
@@ -204,7 +198,7 @@ class SweepOfFiles : public end_to_end::ProgramTest, public testing::WithParamIn
 
  private:
   void require_made(Words words, const Words& more) const {
-    words.insert(words.end(), more.begin(), more.end());
+    words += more;
     const auto outcome = coppermoon(words);
     ASSERT_EQ(outcome.status, 0) << outcome.err;
   }
@@ -235,7 +229,7 @@ TEST_P(SweepOfFiles, ChangesNoFileButItsOutputs) {
     const auto command = random_command(i);
     const auto before = files();
     Words words{"timeout", "600", COPPERMOON_PROGRAM};
-    words.insert(words.end(), command.words.begin(), command.words.end());
+    words += command.words;
     const auto outcome = run(words, {.processor_limit = 300});
     EXPECT_EQ(flaw(command, outcome, before), "")
         << "seed " << seed << ", command " << i << ": "

@@ -9,16 +9,14 @@
 #include <sstream>
 #include <string>
 
-#include "end_to_end/program.h"
 #include "extremes/random_recipe.h"
 #include "extremes/tried.h"
+#include "support/program.h"
 #include "texture/read_image.h"
 
 namespace coppermoon::extremes {
 namespace {
 
-using end_to_end::Outcome;
-using end_to_end::text_of;
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t seed = 10000, recipes_a_test = 100;
@@ -26,20 +24,20 @@ constexpr std::uint64_t seed = 10000, recipes_a_test = 100;
 /// Recipes of all that the program says may be asked for.
 const RandomRecipes& recipes() {
   static const RandomRecipes all = [] {
-    const end_to_end::ProgramFolder folder;
-    return RandomRecipes(nlohmann::json::parse(folder.coppermoon({"describe", "--json"}).out));
+    const ProgramFolder folder;
+    return RandomRecipes(nlohmann::json::parse(folder.coppermoon("describe --json").out));
   }();
   return all;
 }
 
-class Sweep : public end_to_end::ProgramTest, public testing::WithParamInterface<int> {
+class Sweep : public ProgramTest, public testing::WithParamInterface<int> {
  protected:
   Outcome made(const RandomRecipe& recipe) const {
     file("recipe.toml", recipe.text);
-    std::vector<std::string> words{"timeout",           "600",      COPPERMOON_PROGRAM,
-                                   recipe.command.name, "--recipe", "recipe.toml"};
+    Words words{"timeout",           "600",      COPPERMOON_PROGRAM,
+                recipe.command.name, "--recipe", "recipe.toml"};
     if (*recipe.command.output != 0)
-      words.insert(words.end(), {"-o", recipe.command.output});
+      words += Words{"-o", recipe.command.output};
     else
       words.emplace_back("--json");
     return run(words, {.processor_limit = 120});

@@ -5,21 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "end_to_end/program.h"
 #include "extremes/tried.h"
+#include "support/program.h"
 
 namespace coppermoon::extremes {
 
-using end_to_end::Outcome;
-using end_to_end::text_of;
-using end_to_end::Words;
-using end_to_end::operator+;
-
-constexpr int could_not = 1, wrong_usage = 2;
 constexpr const char* eclipse_of_2008 = "2008-02-21T03:26:05Z";
 
 /// What it is given may come from anyone: it is used, or refused in one line, and nothing is left.
-class Untrusted : public end_to_end::ProgramTest {
+class Untrusted : public ProgramTest {
  protected:
   /// A row of the table for a refusal.
   void expect_refused(const std::string& what, const Outcome& outcome, const std::string& part,
@@ -34,7 +28,7 @@ class Untrusted : public end_to_end::ProgramTest {
 
   /// A quick texture of a Moon without shadow.
   static Words bake(const Words& more) {
-    return Words{"bake", eclipse_of_2008, "--unshadowed", "--texture-width", "16"} + more;
+    return words_of("bake {} --unshadowed --texture-width 16", eclipse_of_2008) + more;
   }
 
   void oiiotool(const Words& words) const {

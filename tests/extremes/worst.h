@@ -6,6 +6,7 @@
 
 #include "algebra/error.h"
 #include "extremes/tried.h"
+#include "support/refusals.h"
 #include "support/within.h"
 
 namespace coppermoon::extremes {
@@ -29,18 +30,14 @@ inline void holds(std::string_view what, std::string_view fact, double bound, co
   tried(what, fact, bound, worst.value);
 }
 
-/// What the action throws as algebra::Error; a failure when it throws none.
+/// Expects a refusal in one line that says what is allowed, and prints the row.
 template <class Action>
 void is_refused(std::string_view what, const Action& action) {
-  try {
-    action();
-    ADD_FAILURE() << what << " is not refused";
-  } catch (const algebra::Error& error) {
-    EXPECT_EQ(std::string_view(error.what()).find('\n'), std::string_view::npos) << error.what();
-    EXPECT_NE(std::string_view(error.what()).find(" to "), std::string_view::npos)
-        << "what is allowed? " << error.what();
-    refused(what, error.what());
-  }
+  const auto said = refusal_of(action);
+  EXPECT_NE(said, "") << what << " is not refused";
+  EXPECT_EQ(said.find('\n'), said.npos) << said;
+  EXPECT_NE(said.find(" to "), said.npos) << "what is allowed? " << said;
+  refused(what, said);
 }
 
 }  // namespace coppermoon::extremes

@@ -8,8 +8,8 @@
 
 #include "almanac/instant.h"
 #include "almanac/observer.h"
-#include "end_to_end/program.h"
 #include "povray_scenes/camera.h"
+#include "support/program.h"
 #include "texture/image.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
@@ -65,12 +65,13 @@ inline texture::Attributes header(const Look& look) {
 }
 
 /// Runs Blender without a window, with the add-on from its zip, and with nothing of the user's.
-class BlenderTest : public end_to_end::ProgramTest {
+class BlenderTest : public ProgramTest {
  protected:
   BlenderTest() {
     const auto addons = here("scripts/addons");
     std::filesystem::create_directories(addons);
-    const auto unpacked = run({"cmake", "-E", "tar", "xf", COPPERMOON_ADD_ON}, {.folder = addons});
+    const auto unpacked =
+        run(words_of("cmake -E tar xf {}", COPPERMOON_ADD_ON), {.folder = addons});
     EXPECT_EQ(unpacked.status, 0) << unpacked.err;
   }
 
@@ -79,17 +80,12 @@ class BlenderTest : public end_to_end::ProgramTest {
   }
 
   /// Blender's command line: `words`, with the program on the PATH.
-  end_to_end::Outcome blender(const std::vector<std::string>& words) const {
-    const std::vector<std::string> home{"env",
-                                        "-u",
-                                        "OCIO",
-                                        "BLENDER_USER_SCRIPTS=" + here("scripts").string(),
-                                        "BLENDER_USER_CONFIG=" + here("config").string(),
-                                        "XDG_CACHE_HOME=" + here("cache").string()};
-    auto all = home;
+  Outcome blender(const Words& words) const {
+    auto all =
+        words_of("env -u OCIO BLENDER_USER_SCRIPTS={} BLENDER_USER_CONFIG={} XDG_CACHE_HOME={}",
+                 here("scripts"), here("config"), here("cache"));
     if (!configuration.empty()) all.push_back("OCIO=" + configuration);
-    all.insert(all.end(), surroundings.begin(), surroundings.end());
-    all.insert(all.end(), words.begin(), words.end());
+    all += surroundings + words;
     const auto programs = std::filesystem::path(COPPERMOON_PROGRAM).parent_path().string();
     const auto outcome = run(all, {.path = programs + ":" + std::getenv("PATH")});
     EXPECT_NE(outcome.status, 127) << "not found; tests/hand_off.sh installs it: " << words.front();
@@ -97,11 +93,11 @@ class BlenderTest : public end_to_end::ProgramTest {
   }
 
   /// Runs a Python program in Blender, and then does what the words behind it say.
-  end_to_end::Outcome python(const std::string& program, std::vector<std::string> more = {}) const {
-    more.insert(more.begin(),
-                {"blender", "-b", "--factory-startup", "--python-exit-code", "3", "--addons",
-                 "coppermoon", "--python-expr", "import bpy\n" + program});
-    return blender(more);
+  Outcome python(const std::string& program, Words more = {}) const {
+    return blender(words_of("blender -b --factory-startup --python-exit-code 3 --addons "
+                            "coppermoon --python-expr {}",
+                            "import bpy\n" + program) +
+                   more);
   }
 
   /// A call of the operator that imports a texture, or a film's folder.
@@ -126,13 +122,13 @@ class BlenderTest : public end_to_end::ProgramTest {
 
   /// The frame of the scene that a Python program makes.
   texture::Image rendered(const std::string& program) const {
-    const auto outcome = python(program, {"-o", here("frame.####").string(), "-f", "1"});
+    const auto outcome = python(program, words_of("-o {} -f 1", here("frame.####")));
     EXPECT_EQ(outcome.status, 0) << outcome.out;
     return texture::read_image(here("frame.0001.exr"));
   }
 
-  std::string configuration = {};              ///< of OpenColorIO; empty: Blender's own
-  std::vector<std::string> surroundings = {};  ///< as "A=B"
+  std::string configuration = {};  ///< of OpenColorIO; empty: Blender's own
+  Words surroundings = {};         ///< as "A=B"
 };
 
 }  // namespace coppermoon::hand_off

@@ -17,8 +17,6 @@
 namespace coppermoon::hand_off {
 namespace {
 
-using end_to_end::expect_done;
-
 constexpr auto up = povray_scenes::Up::zenith;
 
 /// What the tests say of an eclipse, behind its date: quick to bake.
@@ -35,7 +33,7 @@ class BlenderAddOn : public BlenderTest {
   }
 
   /// What a program in Blender prints in a line that begins with a word.
-  static std::string line(const end_to_end::Outcome& outcome, const std::string& word) {
+  static std::string line(const Outcome& outcome, const std::string& word) {
     std::istringstream lines(outcome.out);
     for (std::string one; std::getline(lines, one);)
       if (one.starts_with(word + " ")) return one.substr(word.size() + 1);
@@ -43,7 +41,7 @@ class BlenderAddOn : public BlenderTest {
     return "nothing";
   }
 
-  static double number(const end_to_end::Outcome& outcome, const std::string& word) {
+  static double number(const Outcome& outcome, const std::string& word) {
     const auto text = line(outcome, word);
     return text == "nothing" ? std::nan("") : std::stod(text);
   }
@@ -110,7 +108,7 @@ TEST_F(BlenderAddOn, HasATextureThatItsRecipeBakesAgain) {
       fmt::format("bpy.ops.coppermoon.add_eclipse(date='{}', {})\n", look.instant, quick), {}));
   ASSERT_EQ(textures_kept().size(), 1U);
   const auto texture = textures_kept().front();
-  expect_done(coppermoon({"bake", texture, "-o", "again.tx"}));
+  expect_done(coppermoon(words_of("bake {} -o again.tx", texture)));
   EXPECT_TRUE(texture::read_image(here("again.tx")).values == texture::read_image(texture).values);
 }
 
@@ -422,7 +420,7 @@ TEST_F(BlenderAddOn, HangsMoonAndStarsIntoTheSkyOfALandscape) {
       in_sky +
           "eye.rotation_quaternion = moon.matrix_world.translation.to_track_quat('-Z', 'Y')\n"
           "stars.hide_render = True\n",
-      {"-o", here("moon.####").string(), "-f", "1"});
+      words_of("-o {} -f 1", here("moon.####")));
   ASSERT_EQ(said.status, 0) << said.out << said.err;
   const auto sky = look.sky();
   const auto view = look.view();
@@ -447,7 +445,7 @@ TEST_F(BlenderAddOn, HangsMoonAndStarsIntoTheSkyOfALandscape) {
   EXPECT_LT(glm::length(shift(frame, reference)), 0.1);
 
   const auto listed =
-      coppermoon({"sky", look.instant, "--at", at(look.observer), "--stars", "6.5", "--json"});
+      coppermoon(words_of("sky {} --at {} --stars 6.5 --json", look.instant, at(look.observer)));
   const auto first = nlohmann::json::parse(listed.out)["stars"][0];
   star >> altitude >> azimuth;
   EXPECT_WITHIN(altitude, first["altitude_deg"].get<double>(), 1e-4, "single precision");
@@ -472,8 +470,7 @@ TEST_F(BlenderAddOn, TurnsTheSkyOfALandscapeInAFilm) {
     text >> place[0] >> place[1];
     return place;
   };
-  const auto listed =
-      coppermoon({"sky", "2018-07-27T21:30Z", "--at", "-33.9,18.4", "--stars", "6.5", "--json"});
+  const auto listed = coppermoon("sky 2018-07-27T21:30Z --at -33.9,18.4 --stars 6.5 --json");
   const auto sky = nlohmann::json::parse(listed.out);
   const auto moon = sky_of("3", "moon"), star = sky_of("3", "star"), before = sky_of("1", "star");
   EXPECT_WITHIN(moon[0], sky["altitude_deg"].get<double>(), 1e-3, "a part of a second");
@@ -630,8 +627,8 @@ TEST_F(BlenderAddOn, WorksInAWindow) {
            "    bpy.ops.wm.quit_blender()\n"
            "bpy.app.timers.register(tick, first_interval=1)\n");
   surroundings = {"LIBGL_ALWAYS_SOFTWARE=1", "TMPDIR=/tmp"};  // no space, for Xvfb
-  const auto outcome = blender({"xvfb-run", "-a", "timeout", "600", "blender", "--factory-startup",
-                                "--addons", "coppermoon", "-P", "steps.py"});
+  const auto outcome =
+      blender("xvfb-run -a timeout 600 blender --factory-startup --addons coppermoon -P steps.py");
   EXPECT_EQ(line(outcome, "added"), "none");
   EXPECT_GT(number(outcome, "ticks"), 2) << "timers of others, while the program worked";
   EXPECT_TRUE(line(outcome, "baked").ends_with(".tx"));
@@ -704,7 +701,7 @@ TEST_F(BlenderAddOn, PutsTheNightSkyAroundALandscapeNorthToItsY) {
 TEST_F(BlenderAddOn, CyclesRendersARecipe) {
   file("moon.eclipse", fmt::format("instant = \"{}\"\nat = \"{}\"\ntexture-width = 1024\n",
                                    look.instant, at(look.observer)));
-  expect_done(coppermoon({"bake", "--recipe", "moon.eclipse", "-o", "moon_lin_rec709.exr"}));
+  expect_done(coppermoon("bake --recipe moon.eclipse -o moon_lin_rec709.exr"));
   const auto frame_of = [&](const std::string& more) {
     return luminances(rendered("moon_lin_rec709.exr", up, more));
   };

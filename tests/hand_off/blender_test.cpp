@@ -13,7 +13,6 @@ namespace coppermoon::hand_off {
 namespace {
 
 using enum povray_scenes::Up;
-using end_to_end::expect_done;
 using texture::ExrType;
 
 class Blender : public BlenderTest {
@@ -25,14 +24,14 @@ class Blender : public BlenderTest {
   }
 
   /// As coppermoon bakes it for an observer, header and all: folder/moon_lin_rec709.exr.
-  std::string baked(const Look& look, std::vector<std::string> more) const {
-    std::vector<std::string> words{"scene",    look.instant,
-                                   "--at",     at(look.observer),
-                                   "-o",       "folder",
-                                   "--width",  std::to_string(side),
-                                   "--height", std::to_string(side),
-                                   "--field",  std::to_string(field_deg)};
-    words.insert(words.end(), more.begin(), more.end());
+  std::string baked(const Look& look, Words more) const {
+    Words words{"scene",    look.instant,
+                "--at",     at(look.observer),
+                "-o",       "folder",
+                "--width",  std::to_string(side),
+                "--height", std::to_string(side),
+                "--field",  std::to_string(field_deg)};
+    words += more;
     expect_done(coppermoon(words));
     return "folder/moon_lin_rec709.exr";
   }
@@ -106,7 +105,7 @@ TEST_F(Blender, MakesADiscAsLargeAsTheMoon) {
 
 TEST_F(Blender, ShowsTheTexelsOfAnEclipsedMoon) {
   const auto look = from_the_north(celestial_north);
-  const auto name = baked(look, {"--texture-width", "1024"});
+  const auto name = baked(look, "--texture-width 1024");
   const auto frame = luminances(rendered(name, look.up));
   const auto reference =
       luminances(reference_projection(texture::read_image(here(name)), look.camera()));
@@ -119,8 +118,7 @@ TEST_F(Blender, ShowsTheTexelsOfAnEclipsedMoon) {
 TEST_F(Blender, PutsSpotsInPlaceWithNorthOrZenithUp) {
   texture::write_exr(here("spots.exr"), end_to_end::spotted_map(360), {}, {ExrType::floating});
   for (const auto& look : {from_the_north(celestial_north), from_the_south(zenith)}) {
-    const auto name =
-        baked(look, {"--unshadowed", "--albedo-map", "spots.exr", "--texture-width", "720"});
+    const auto name = baked(look, "--unshadowed --albedo-map spots.exr --texture-width 720");
     const auto frame = rendered(name, look.up);
     EXPECT_LT(worst_distance(frame, look), 0.5) << word(look.up);
     EXPECT_GT(worst_distance(end_to_end::mirrored(frame), look), 20) << word(look.up);
@@ -160,8 +158,9 @@ TEST_P(BlenderColours, AreTheSameFromEveryColourSpace) {
 
 TEST_P(BlenderColours, KeepTheLuminanceOfAnEclipsedMoon) {
   const auto frame_from = [&](const std::string& space) {
-    expect_done(coppermoon({"bake", "2008-02-21T03:08:26Z", "--texture-width", "256", "--type",
-                            "float", "--space", space, "-o", space + ".exr"}));
+    expect_done(coppermoon(
+        words_of("bake 2008-02-21T03:08:26Z --texture-width 256 --type float --space {} -o {}",
+                 space, space + ".exr")));
     return luminances(rendered(space + ".exr", celestial_north));
   };
   const auto reference = frame_from("lin_rec709"), frame = frame_from("acescg");

@@ -2,27 +2,22 @@
 // A film's job, checked and run by Open Job Description's own program (openjd-cli of PyPI).
 #include <map>
 
-#include "end_to_end/program.h"
+#include "support/program.h"
 
 namespace coppermoon::hand_off {
 namespace {
 
-using end_to_end::expect_done, end_to_end::Outcome, end_to_end::ProgramTest, end_to_end::text_of,
-    end_to_end::Words, end_to_end::operator+;
-
 namespace fs = std::filesystem;
 
-const Words film{"animate",         "2018-07-27", "--at",         "-21.1,55.5",
-                 "--frames",        "12",         "--width",      "120",
-                 "--height",        "80",         "--field",      "0.9",
-                 "--make",          "pictures",   "--albedo-map", "maps/moon.exr",
-                 "--texture-width", "256"};
+const Words film =
+    "animate 2018-07-27 --at -21.1,55.5 --frames 12 --width 120 --height 80 --field 0.9 --make "
+    "pictures --albedo-map maps/moon.exr --texture-width 256";
 
 class Job : public ProgramTest {
  protected:
   Outcome openjd(const Words& words, const std::string& program) const {
-    return run(Words{COPPERMOON_HAND_OFF_PYTHON "/bin/openjd", "run", "job.yaml", "-p",
-                     "Program=" + program, "-p", "Shards=3"} +
+    return run(words_of("{} run job.yaml -p {} -p Shards=3",
+                        COPPERMOON_HAND_OFF_PYTHON "/bin/openjd", "Program=" + program) +
                words);
   }
 
@@ -46,19 +41,19 @@ class Job : public ProgramTest {
 
 TEST_F(Job, IsRunByOpenJobDescriptionWithATaskKilledOnTheWay) {
   fs::create_directory(here("maps"));
-  expect_done(coppermoon({"bake", "2018-07-27T20:00Z", "--albedo-map", "built-in",
-                          "--texture-width", "512", "--passes", "-o", "passes.exr"}));
-  expect_done(run({"oiiotool", "passes.exr", "--subimage", "albedo", "-o", "maps/moon.exr"}));
-  const Words of_all{"--contact-sheet", "film/sheet.png", "--movie", "film/eclipse.mp4"};
-  expect_done(coppermoon(film + of_all + Words{"-o", "film"}));
+  expect_done(coppermoon(
+      "bake 2018-07-27T20:00Z --albedo-map built-in --texture-width 512 --passes -o passes.exr"));
+  expect_done(run("oiiotool passes.exr --subimage albedo -o maps/moon.exr"));
+  const Words of_all = "--contact-sheet film/sheet.png --movie film/eclipse.mp4";
+  expect_done(coppermoon(film + of_all + "-o film"));
   const auto at_once = files("film");
   EXPECT_EQ(at_once.size(), 12U + 3U) << "frames, light, sheet and movie";
   fs::remove_all(here("film"));
 
-  expect_done(coppermoon(film + of_all + Words{"-o", "film", "--job", "job.yaml"}));
+  expect_done(coppermoon(film + of_all + "-o film --job job.yaml"));
   const auto checked = run({COPPERMOON_HAND_OFF_PYTHON "/bin/openjd", "check", "job.yaml"});
   EXPECT_EQ(checked.status, 0) << checked.out << checked.err;
-  const Words one_task{"--step", "frames", "-tp", "Shard=2"};
+  const Words one_task = "--step frames -tp Shard=2";
   EXPECT_NE(openjd(one_task, dying()).status, 0) << "its program was killed";
   const auto left = files("film").size();
   EXPECT_GE(left, 1U + 1U) << "the light, and a frame";
@@ -66,7 +61,7 @@ TEST_F(Job, IsRunByOpenJobDescriptionWithATaskKilledOnTheWay) {
   auto outcome = openjd(one_task, COPPERMOON_PROGRAM);
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
   EXPECT_EQ(files("film").size(), 1U + 4U);
-  outcome = openjd({"--step", "film", "--run-dependencies"}, COPPERMOON_PROGRAM);
+  outcome = openjd("--step film --run-dependencies", COPPERMOON_PROGRAM);
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
   EXPECT_TRUE(files("film") == at_once) << "the bytes of the direct run";
 }

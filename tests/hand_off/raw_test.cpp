@@ -3,46 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "end_to_end/program.h"
+#include "support/program.h"
 #include "support/within.h"
 #include "texture/read_image.h"
 
 namespace coppermoon::hand_off {
 namespace {
 
-using end_to_end::expect_done;
-using end_to_end::ProgramTest;
-
 class Raw : public ProgramTest {
  protected:
   /// A deep eclipse, copper in one corner of the Moon and pale in the other, nowhere clipped.
   Raw() {
-    expect_done(coppermoon({"still",
-                            "2008-02-21T03:08:26Z",
-                            "--at",
-                            "42.86,-73.77",
-                            "--albedo-map",
-                            "built-in",
-                            "--rays",
-                            "60",
-                            "--iso",
-                            "800",
-                            "--time",
-                            "0.5",
-                            "--width",
-                            "600",
-                            "--height",
-                            "400",
-                            "--camera",
-                            "400mm",
-                            "--raw",
-                            "a.dng",
-                            "--seeing",
-                            "2",
-                            "--focal-length",
-                            "1200",
-                            "-o",
-                            "a.png"}));
+    expect_done(
+        coppermoon("still 2008-02-21T03:08:26Z --at 42.86,-73.77 --albedo-map built-in --rays 60 "
+                   "--iso 800 --time 0.5 --width 600 --height 400 --camera 400mm --raw a.dng "
+                   "--seeing 2 --focal-length 1200 -o a.png"));
   }
 
   /// Means of squares of ten pixels, which all demosaicing leaves as they are, but at the Moon's edge.
@@ -77,16 +52,16 @@ class Raw : public ProgramTest {
 };
 
 TEST_F(Raw, LibRawsProgramSeesTheSameLight) {
-  const auto done = run({"dcraw_emu", "-T", "-4", "-o", "1", "-q", "3", "a.dng"});
+  const auto done = run("dcraw_emu -T -4 -o 1 -q 3 a.dng");
   ASSERT_EQ(done.status, 0) << done.err;
   expect_same_light(texture::read_light(here("a.dng")), texture::read_image(here("a.dng.tiff")));
 }
 
 TEST_F(Raw, DarktableSeesTheSameLight) {
-  const auto done =
-      run({"darktable-cli", "a.dng", "b.tif", "--icc-type", "LIN_REC709", "--core", "--configdir",
-           here("darktable"), "--library", ":memory:", "--conf", "plugins/darkroom/workflow=none",
-           "--conf", "plugins/imageio/format/tiff/bpp=32"});
+  const auto done = run(words_of(
+      "darktable-cli a.dng b.tif --icc-type LIN_REC709 --core --configdir {} --library :memory: "
+      "--conf plugins/darkroom/workflow=none --conf plugins/imageio/format/tiff/bpp=32",
+      here("darktable")));
   ASSERT_EQ(done.status, 0) << done.err;
   expect_same_light(texture::read_light(here("a.dng")), texture::read_image(here("b.tif")));
 }

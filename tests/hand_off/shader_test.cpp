@@ -7,7 +7,6 @@ namespace coppermoon::hand_off {
 namespace {
 
 using end_to_end::EclipseShader;
-using end_to_end::expect_done;
 using end_to_end::ShaderTest;
 using end_to_end::Vector;
 using nlohmann::json;
@@ -15,7 +14,7 @@ using nlohmann::json;
 class Shader : public ShaderTest {
  protected:
   EclipseShader shader() const {
-    expect_done(coppermoon({"shader", "2018-07-27", "--bands", "20", "-o", "eclipse"}));
+    expect_done(coppermoon("shader 2018-07-27 --bands 20 -o eclipse"));
     return end_to_end::read_shader(here("eclipse"));
   }
 };

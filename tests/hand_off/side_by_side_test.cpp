@@ -24,9 +24,9 @@ class SideBySide : public BlenderTest {
  protected:
   SideBySide() {
     const auto size = std::to_string(side);
-    end_to_end::expect_done(coppermoon({"scene", look.instant, "--at", at(look.observer),
-                                        "--flattening", "off", "--field", std::to_string(field_deg),
-                                        "--width", size, "--height", size, "-o", "scene"}));
+    expect_done(coppermoon(
+        words_of("scene {} --at {} --flattening off --field {} --width {} --height {} -o scene",
+                 look.instant, at(look.observer), field_deg, size, size)));
   }
 
   /// POV-Ray's pixels are means of (2^(depth - 1) + 1)² rays, those on their edges counting less.

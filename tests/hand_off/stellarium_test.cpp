@@ -12,8 +12,6 @@
 namespace coppermoon::hand_off {
 namespace {
 
-using end_to_end::expect_done;
-using end_to_end::ProgramTest;
 using povray_scenes::Up;
 
 constexpr std::size_t width = 1024, height = 768;
@@ -32,18 +30,17 @@ povray_scenes::SceneCamera camera_of(const Look& look) {
 
 class Stellarium : public ProgramTest {
  protected:
-  void bake(const Look& look, const end_to_end::Words& more) const {
-    end_to_end::Words words{
-        "bake", look.instant, "--at",           at(look.observer), "--texture-width",
-        "1024", "-o",         "moon.stellarium"};
-    words.insert(words.end(), more.begin(), more.end());
+  void bake(const Look& look, const Words& more) const {
+    auto words = words_of("bake {} --at {} --texture-width 1024 -o moon.stellarium", look.instant,
+                          at(look.observer));
+    words += more;
     expect_done(coppermoon(words));
   }
 
   /// What it shows once its Moon is there, which a busy machine delays.
   texture::Image shown() const {
     const auto script = here("moon.stellarium/scripts/startup.ssc");
-    const auto ours = end_to_end::text_of(script);
+    const auto ours = text_of(script);
     texture::Image frame;
     for (const int seconds : {8, 30, 90}) {
       std::ofstream(script) << ours << "core.setGuiVisible(false);\n"
@@ -60,9 +57,9 @@ class Stellarium : public ProgramTest {
 
   void start() const {
     const auto outcome =
-        run({"env", "HOME=" + here().string(), "TMPDIR=/tmp", "LIBGL_ALWAYS_SOFTWARE=1", "xvfb-run",
-             "-a", "-s", "-screen 0 1024x768x24", "timeout", "300", "stellarium", "--user-dir",
-             here("moon.stellarium").string(), "--full-screen", "no"});
+        run(words_of("env {} TMPDIR=/tmp LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s '-screen 0 "
+                     "1024x768x24' timeout 300 stellarium --user-dir {} --full-screen no",
+                     "HOME=" + here().string(), here("moon.stellarium")));
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(outcome.err.find("shader program"), std::string::npos) << outcome.err;
   }
@@ -102,7 +99,7 @@ double mean_steps(const texture::Image& frame, const texture::Image& expected, d
 
 TEST_F(Stellarium, ShowsTheTextureAsItIsWhereOurCameraHasIt) {
   for (const auto& look : {in_umbra, partial}) {
-    bake(look, {"--view", "Filmic"});
+    bake(look, "--view Filmic");
     const double radius = radius_px(camera_of(look));
     const auto frame = disc_alone(shown(), radius), reference = expected(look);
     const auto moved = shift(luminances(frame), luminances(reference));
@@ -115,7 +112,7 @@ TEST_F(Stellarium, ShowsTheTextureAsItIsWhereOurCameraHasIt) {
 }
 
 TEST_F(Stellarium, WouldPaintAShadowOfItsOwn) {
-  bake(in_umbra, {"--view", "Filmic"});
+  bake(in_umbra, "--view Filmic");
   std::filesystem::remove(here("moon.stellarium/data/shaders/planet.frag"));
   const double radius = radius_px(camera_of(in_umbra));
   EXPECT_GT(mean_steps(disc_alone(shown(), radius), expected(in_umbra), radius), 10);

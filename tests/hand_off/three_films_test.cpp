@@ -11,7 +11,6 @@
 namespace coppermoon::hand_off {
 namespace {
 
-using end_to_end::expect_done;
 using Clock = std::chrono::steady_clock;
 
 constexpr int frames = 5, pixels = 300;
@@ -38,28 +37,10 @@ class ThreeFilms : public BlenderTest {
 
   Film by_textures() const {
     const auto start = Clock::now();
-    expect_done(coppermoon({"animate",
-                            "2018-07-27",
-                            "--from",
-                            first,
-                            "--to",
-                            last,
-                            "--frames",
-                            fmt::format("{}", frames),
-                            "--make",
-                            "textures,frames",
-                            "--texture-width",
-                            "1024",
-                            "--field",
-                            "0.6",
-                            "--width",
-                            fmt::format("{}", pixels),
-                            "--height",
-                            fmt::format("{}", pixels),
-                            "--stars",
-                            "off",
-                            "-o",
-                            "textures"}));
+    expect_done(coppermoon(
+        words_of("animate 2018-07-27 --from {} --to {} --frames {} --make textures,frames "
+                 "--texture-width 1024 --field 0.6 --width {} --height {} --stars off -o textures",
+                 first, last, frames, pixels, pixels)));
     Film film{{}, since(start), megabytes_in(here("textures"), "moon_")};
     for (int f = 1; f <= frames; ++f)
       film.frames.push_back(
@@ -85,12 +66,12 @@ class ThreeFilms : public BlenderTest {
   /// The sunlit Moon of three moments, mixed, for its phase changes.
   Film in_povray() const {
     const auto start = Clock::now();
-    expect_done(coppermoon({"shader", "2018-07-27", "-o", "povray"}));
+    expect_done(coppermoon("shader 2018-07-27 -o povray"));
     const std::vector<std::pair<std::string, std::string>> sunlit{
         {"a", first}, {"b", "2018-07-27T19:25:00Z"}, {"c", last}};
     for (const auto& [name, when] : sunlit)
-      expect_done(coppermoon({"bake", when, "--unshadowed", "--texture-width", "1024", "-o",
-                              "povray/" + name + ".exr"}));
+      expect_done(coppermoon(words_of("bake {} --unshadowed --texture-width 1024 -o {}", when,
+                                      "povray/" + name + ".exr")));
     file("povray/film.pov", R"(#version 3.7;
 global_settings { assumed_gamma 1.0 }
 #include "eclipse.inc"
@@ -115,9 +96,9 @@ Eclipse_Moon(pigment {
     Film film;
     for (int f = 1; f <= frames; ++f) {
       const double clock = -6705 + 6600. * (f - 1) / (frames - 1);
-      const auto done = run({"povray", "film.pov", fmt::format("+K{:.3f}", clock),
-                             fmt::format("+W{}", pixels), fmt::format("+H{}", pixels), "+FE",
-                             fmt::format("+Oframe{}.exr", f), "+A0.0", "+AM2", "+R2", "-J", "-D"},
+      const auto done = run(words_of("povray film.pov {} {} {} +FE {} +A0.0 +AM2 +R2 -J -D",
+                                     fmt::format("+K{:.3f}", clock), fmt::format("+W{}", pixels),
+                                     fmt::format("+H{}", pixels), fmt::format("+Oframe{}.exr", f)),
                             {.folder = here("povray")});
       EXPECT_EQ(done.status, 0) << done.err.substr(0, 2000);
       film.frames.push_back(texture::read_image(here(fmt::format("povray/frame{}.exr", f))));

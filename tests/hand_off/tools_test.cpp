@@ -2,25 +2,21 @@
 // OpenImageIO's and OpenColorIO's own programs, given what coppermoon makes.
 #include <OpenImageIO/imageio.h>
 
-#include "end_to_end/program.h"
+#include "support/program.h"
 #include "support/within.h"
 #include "texture/image.h"
 
 namespace coppermoon::hand_off {
 namespace {
 
-using end_to_end::expect_done;
-using end_to_end::ProgramTest;
-
 class Tools : public ProgramTest {
  protected:
-  void bake(std::vector<std::string> more) const {
-    more.insert(more.begin(), {"bake", "2018-07-27T19:20:00Z", "--albedo-map", "built-in",
-                               "--texture-width", "512"});
-    expect_done(coppermoon(more));
+  void bake(Words more) const {
+    expect_done(
+        coppermoon("bake 2018-07-27T19:20:00Z --albedo-map built-in --texture-width 512" + more));
   }
 
-  std::string said(const std::vector<std::string>& words) const {
+  std::string said(const Words& words) const {
     const auto outcome = run(words);
     EXPECT_EQ(outcome.status, 0) << words.front() << ": " << outcome.err << outcome.out;
     return outcome.out;
@@ -38,34 +34,32 @@ class Tools : public ProgramTest {
 };
 
 TEST_F(Tools, IinfoKnowsAllThatAFileSays) {
-  bake({"-o", "moon_acescg.exr", "-o", "moon_lin_rec709.tx", "-o", "moon_srgb.png", "--passes",
-        "--spectral", "20"});
-  const auto exr = said({"iinfo", "-v", "-a", "moon_acescg.exr"});
+  bake("-o moon_acescg.exr -o moon_lin_rec709.tx -o moon_srgb.png --passes --spectral 20");
+  const auto exr = said("iinfo -v -a moon_acescg.exr");
   for (const char* word :
        {"6 subimages", "\"lit\"", "\"direct\"", "\"refracted\"", "\"irradiance\"",
         "\"reflectance\"", "\"albedo\"", "S0.390,000000nm", "spectralLayoutVersion: \"1.0\"",
         "chromaticities: 0.713, 0.293", "DateTime: \"2018:07:27 19:20:00\""})
     EXPECT_NE(exr.find(word), std::string::npos) << word;
-  const auto tx = said({"iinfo", "-v", "moon_lin_rec709.tx"});
+  const auto tx = said("iinfo -v moon_lin_rec709.tx");
   for (const char* word : {"half openexr", "512x256 256x128 128x64", "tile size: 64 x 64",
                            "wrapmodes: \"periodic,clamp\""})
     EXPECT_NE(tx.find(word), std::string::npos) << word;
-  EXPECT_NE(said({"iinfo", "moon_srgb.png"}).find("uint16 png"), std::string::npos);
+  EXPECT_NE(said("iinfo moon_srgb.png").find("uint16 png"), std::string::npos);
 }
 
 TEST_F(Tools, OiiotoolReadsEveryTexel) {
-  bake({"-o", "moon.exr", "-o", "moon.tx", "-o", "moon.png", "--passes"});
+  bake("-o moon.exr -o moon.tx -o moon.png --passes");
   for (const char* file : {"moon.exr", "moon.tx", "moon.png"}) {
-    const auto counts = said({"oiiotool", "-a", file, "--printstats"});
+    const auto counts = said(words_of("oiiotool -a {} --printstats", file));
     EXPECT_NE(counts.find("NanCount: 0"), std::string::npos) << counts;
     EXPECT_NE(counts.find("InfCount: 0"), std::string::npos) << counts;
   }
 }
 
 TEST_F(Tools, MaketxMakesTheSameMipmaps) {
-  bake({"-o", "moon.exr", "-o", "ours.tx"});
-  said({"maketx", "moon.exr", "--format", "exr", "-d", "half", "--swrap", "periodic", "--twrap",
-        "clamp", "-o", "theirs.tx"});
+  bake("-o moon.exr -o ours.tx");
+  said("maketx moon.exr --format exr -d half --swrap periodic --twrap clamp -o theirs.tx");
   for (const int number : {0, 1, 2, 3}) {
     const auto ours = level("ours.tx", number), theirs = level("theirs.tx", number);
     ASSERT_EQ(ours.values.size(), theirs.values.size());

@@ -50,8 +50,7 @@ foreach(stage ${stages})
   endforeach()
 endforeach()
 
-# The command line and the libraries that it stands on belong to verbs, each image and colour library to one stage.
-set(owner_CLI "^verbs$")
+# The command line belongs to verbs, each library of recipes, image and colour library to one stage.
 set(owner_toml++ "^(request|verbs)$")
 set(owner_verbs "^verbs$")
 set(owner_Eigen "^(compare|fit)$")
@@ -66,6 +65,19 @@ set(owner_povray "^povray_scenes$")
 
 file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/baker/*.h ${ROOT}/baker/*.cpp ${ROOT}/colour/*.h ${ROOT}/colour/*.cpp
      ${ROOT}/povray_scenes/*.h ${ROOT}/povray_scenes/*.cpp)
+
+# The operating system belongs to files, and there to the sources that are written for one.
+set(system_headers "<(sys/.*|unistd|fcntl|dlfcn|link|malloc|poll|pwd|spawn|c?signal|termios)(\\.h)?>")
+set(system_names "/proc/|/dev/fd|(^|[^a-z_])(fork|kill|prctl|fopencookie|isatty|dlopen|setenv|mkdtemp|mmap|pid_t)[ (]")
+foreach(file ${files})
+  if(NOT file MATCHES "^baker/files/[a-z_]*_posix\\.cpp$")
+    file(STRINGS ${ROOT}/${file} lines REGEX "^[ \t]*#[ \t]*include[ \t]*${system_headers}|${system_names}")
+    foreach(line ${lines})
+      string(APPEND wrong "${file}: the operating system: ${line}\n")
+    endforeach()
+  endif()
+endforeach()
+
 list(FILTER files EXCLUDE REGEX "^baker/[^/]*$")  # the program's main: it may include all
 set(looked_at 0)
 foreach(file ${files})
@@ -86,7 +98,7 @@ foreach(file ${files})
   endforeach()
   # Who uses the library has no command line. What avif_file tells avifenc is no flag of ours.
   if(file MATCHES "^baker/uses/" AND NOT file STREQUAL "baker/uses/picture/avif_file.cpp")
-    file(STRINGS ${ROOT}/${file} lines REGEX "\"[^\"]*--[a-z][^\"]*\"|progress bar|std::_?[eE]xit|toml|CLI11")
+    file(STRINGS ${ROOT}/${file} lines REGEX "\"[^\"]*--[a-z][^\"]*\"|progress bar|std::_?[eE]xit|toml")
     foreach(line ${lines})
       string(APPEND wrong "${file}: a word of the command line: ${line}\n")
     endforeach()

@@ -3,6 +3,7 @@ set(here ${CMAKE_CURRENT_LIST_DIR})
 add_test(NAME layering/includes COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR} -P ${here}/includes.cmake)
 add_test(NAME layering/includes_planted COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR}
          -DCOPY=${PROJECT_BINARY_DIR}/layering_copy -P ${here}/includes_planted.cmake)
+add_test(NAME layering/rooms_tested COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR} -P ${here}/rooms_tested.cmake)
 add_test(NAME layering/faults_apply COMMAND ${PROJECT_SOURCE_DIR}/tests/faults.sh --apply)
 add_test(NAME layering/top_level COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR} -P ${here}/top_level.cmake)
 find_program(CLANG_FORMAT NAMES clang-format-14 clang-format)

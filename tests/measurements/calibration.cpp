@@ -9,7 +9,7 @@
 
 #include "algebra/interpolation.h"
 #include "tests/measurements/umbral_light.h"
-#include "uses/light/photometric_bands.h"
+#include "uses/light/photometer.h"
 #include "uses/picture/brightness.h"
 #include "uses/picture/moment_text.h"
 

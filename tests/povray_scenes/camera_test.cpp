@@ -383,14 +383,5 @@ TEST(CameraFixed, RefusesTheZenithAndWhatIsNoPlaceOfTheSky) {
   EXPECT_THROW(aimed(std::numeric_limits<double>::quiet_NaN(), 0), Error);
 }
 
-TEST(PixelOf, AMirrorExchangesLeftAndRightOnly) {
-  auto camera = ten_radii_away(20);
-  const auto seen = pixel_of(camera, place(20, 30));
-  camera.mirrored = true;
-  const auto reflected = pixel_of(camera, place(20, 30));
-  EXPECT_WITHIN(reflected->x, 200 - seen->x, 1e-9, rounding);
-  EXPECT_WITHIN(reflected->y, seen->y, 1e-9, rounding);
-}
-
 }  // namespace
 }  // namespace coppermoon::povray_scenes

@@ -45,8 +45,7 @@ Luminance landscape(const std::string& globals, double enlarged, double sky) {
                                        .horizontal_field = degrees(60),
                                        .width = 61,
                                        .height = 60},
-                            .texture = "moon.exr",
-                            .sampling_depth = 0});
+                            .texture = "moon.exr"});
   std::ofstream(folder.path / scene_file)
       << "#version 3.7;\nglobal_settings { assumed_gamma 1.0 " << globals
       << " }\n#include \"moon.inc\"\n"
@@ -92,8 +91,7 @@ TEST(MoonInclude, HidesAMoonBelowTheHorizonUnlessEnlargedItReachesAboveIt) {
                                          .horizontal_field = degrees(60),
                                          .width = 16,
                                          .height = 16},
-                              .texture = "moon.exr",
-                              .sampling_depth = 0});
+                              .texture = "moon.exr"});
     std::ofstream(folder.path / scene_file)
         << "#version 3.7;\nglobal_settings { assumed_gamma 1.0 }\n#include \"moon.inc\"\n"
         << "camera { right x up y angle 0.2 look_at Coppermoon_Direction(-1, 0) }\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "povray_scenes/sight.h"
+#include "povray_scenes/camera.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -14,15 +14,14 @@ using algebra::degrees;
 constexpr const char* rounding =
     "rounding of doubles 220 radii from the Moon, over the slope of ground seen aslant";
 
-/// Cameras of all kinds: mirrored, flattened by air, aimed beside the Moon's centre.
+/// Cameras of all kinds: flattened by air, aimed beside the Moon's centre.
 std::vector<SceneCamera> cameras() {
   SceneCamera plain{{220, 10, -5}, {0.2, 0.3, 1}, degrees(0.7), 300, 200};
-  SceneCamera mirrored = plain, flat = plain, aimed = plain;
-  mirrored.mirrored = true;
+  SceneCamera flat = plain, aimed = plain;
   flat.flattening = 0.85;
   flat.zenith = {0, 1, 0.5};
   aimed.direction = -aimed.position + glm::dvec3(0, 0.3, 0.2);
-  return {plain, mirrored, flat, aimed, {{2, 0, 0}, {0, 0, 1}, degrees(80), 100, 100}};
+  return {plain, flat, aimed, {{2, 0, 0}, {0, 0, 1}, degrees(80), 100, 100}};
 }
 
 TEST(Sight, ShowsTheGroundThatFallsOnThePixel) {

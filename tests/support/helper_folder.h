@@ -10,6 +10,7 @@
 
 #include "algebra/error.h"
 #include "files/temporary_folder.h"
+#include "support/refusals.h"
 
 namespace coppermoon {
 
@@ -24,16 +25,6 @@ class HelperFolder : public testing::Test {
   void stand_in(const std::string& name, const std::string& script) const {
     std::ofstream(here() / name) << "#!/bin/sh\n" << script << "\n";
     std::filesystem::permissions(here() / name, std::filesystem::perms::owner_all);
-  }
-
-  template <typename Make>
-  std::string refusal(Make make) const {
-    try {
-      make();
-    } catch (const algebra::Error& error) {
-      return error.what();
-    }
-    return {};
   }
 
  private:

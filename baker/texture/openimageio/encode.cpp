@@ -3,11 +3,9 @@
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_pipeline.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <limits>
 #include <system_error>
 
@@ -25,31 +23,28 @@ using algebra::Error;
 /// Takes the bytes OpenImageIO writes, and keeps the reason when the system refuses them.
 class FileSink : public OIIO::Filesystem::IOProxy {
  public:
-  explicit FileSink(int descriptor) : IOProxy("", Write), descriptor_(descriptor) {}
+  explicit FileSink(const files::Handle& file) : IOProxy("", Write), file_(file) {}
   /// Not "file", which OpenImageIO's writer of JPEG takes for an IOFile of its own.
-  const char* proxytype() const override { return "descriptor"; }
+  const char* proxytype() const override { return "handle"; }
   std::size_t write(const void* bytes, std::size_t size) override {
     const auto written = pwrite(bytes, size, m_pos);
     m_pos += static_cast<std::int64_t>(written);
     return written;
   }
   std::size_t pwrite(const void* bytes, std::size_t size, std::int64_t offset) override {
-    const auto* from = static_cast<const char*>(bytes);
-    std::size_t done = 0;
-    while (done < size && refusal_ == 0) {
-      const auto n = ::pwrite(descriptor_, from + done, size - done,
-                              static_cast<off_t>(offset + static_cast<std::int64_t>(done)));
-      if (n < 0 && errno != EINTR) refusal_ = errno;
-      if (n > 0) done += static_cast<std::size_t>(n);
-    }
-    size_ = std::max(size_, static_cast<std::size_t>(offset) + done);
-    return done;
+    const auto place = static_cast<std::uint64_t>(offset);
+    if (!refusal_)
+      refusal_ = files::write_at(file_, place, {static_cast<const char*>(bytes), size});
+    if (refusal_) return 0;
+    size_ = std::max<std::size_t>(size_, place + size);
+    return size;
   }
   std::size_t size() const override { return size_; }
-  int refusal() const { return refusal_; }
+  std::error_code refusal() const { return refusal_; }
 
  private:
-  int descriptor_, refusal_ = 0;
+  const files::Handle& file_;
+  std::error_code refusal_;
   std::size_t size_ = 0;
 };
 
@@ -168,15 +163,15 @@ void write_encoded(const std::filesystem::path& path, const char* format,
   const auto fail = [&](std::string_view reason) {
     throw Error(fmt::format("{}: cannot be written: {}", path.string(), reason));
   };
-  files::write_whole(path, [&](int descriptor) {
-    FileSink sink(descriptor);
+  files::write_whole(path, [&](const files::Handle& file) {
+    FileSink sink(file);
     auto output = OIIO::ImageOutput::create(format);
     if (!output) fail(one_line(OIIO::geterror()));
     const bool reads_back = std::string_view(format) == "tiff";  // goes by the name instead
     if (!reads_back) output->set_ioproxy(&sink);
     std::string reason;
     try {
-      const bool written = encode(*output, fmt::format("/proc/self/fd/{}", descriptor));
+      const bool written = encode(*output, files::name_of(file));
       reason = closing_words(*output, written);
     } catch (...) {
       const Silence silence;  // libpng prints of a picture that ends early
@@ -184,9 +179,9 @@ void write_encoded(const std::filesystem::path& path, const char* format,
       throw;
     }
     output.reset();  // a mip-mapped file has its end from here, not from close()
-    if (sink.refusal() != 0) reason = std::generic_category().message(sink.refusal());
+    if (sink.refusal()) reason = sink.refusal().message();
     if (!reason.empty()) fail(reason);
-    if (std::string_view(format) == "openexr") seal(descriptor, path);
+    if (std::string_view(format) == "openexr") seal(file, path);
   });
 }
 

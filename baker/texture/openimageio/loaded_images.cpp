@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The program's own definitions of all functions that need OpenImageIO, which takes 0.2 s to load: they
 // load it when one is first called. Linked before the library, whose definitions are then left out.
-#include <dlfcn.h>
-#include <link.h>
-#include <sys/mman.h>
-#include <sys/resource.h>
 #include <tbb/parallel_for.h>
 
 #include <cstddef>
@@ -13,6 +9,8 @@
 #include <system_error>
 
 #include "algebra/error.h"
+#include "files/loaded_library.h"
+#include "files/memory.h"
 #include "texture/images_ahead.h"
 #include "texture/openimageio/image_functions.h"
 
@@ -22,23 +20,13 @@ namespace {
 namespace fs = std::filesystem;
 using algebra::Error;
 
-/// The file that this code is in: the program, or a library that another program loaded, as Python does.
-fs::path own_file() {
-  static const char mine = 0;
-  Dl_info info{};
-  void* map = nullptr;
-  if (::dladdr1(&mine, &info, &map, RTLD_DL_LINKMAP) != 0 && map != nullptr)
-    if (const auto* name = static_cast<link_map*>(map)->l_name; name != nullptr && *name != 0)
-      return fs::absolute(name);
-  return fs::read_symlink("/proc/self/exe");  // of the program itself the system keeps no name
-}
-
 /// The module beside the program, where it was built, or where it was installed.
 ///
 /// Throws  Error  when it is in neither place
 fs::path module_file() {
   constexpr const char* name = "coppermoon_images.so";
-  const auto folder = own_file().parent_path();
+  static const char mine = 0;
+  const auto folder = files::file_that_has(&mine).parent_path();
   std::error_code failed;
   if (auto built = folder / name; fs::exists(built, failed)) return built;
   auto installed = (folder / COPPERMOON_MODULES / name).lexically_normal();
@@ -55,10 +43,7 @@ fs::path module_file() {
 void require_addresses() {
   constexpr std::size_t taken =
       512U << 20U;  // 474 MB by 269 libraries of Debian 12, 484 MB by 296 of Debian 13
-  void* const place =
-      ::mmap(nullptr, taken, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (place == MAP_FAILED) throw std::bad_alloc();
-  ::munmap(place, taken);
+  if (!files::has_addresses(taken)) throw std::bad_alloc();
 }
 
 /// Loads the module, which then stays.
@@ -68,9 +53,8 @@ void require_addresses() {
 const ImageFunctions& loaded() {
   const auto file = module_file();
   require_addresses();
-  void* const module = ::dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL | RTLD_NODELETE);
-  if (!module) throw Error(fmt::format("{}: cannot be loaded: {}", file.string(), ::dlerror()));
-  const auto give = reinterpret_cast<GiveImageFunctions*>(::dlsym(module, image_functions_name));
+  const auto give =
+      reinterpret_cast<GiveImageFunctions*>(files::function_of(file, image_functions_name));
   const std::string_view version = give ? give()->version : "of unknown version";
   if (version != COPPERMOON_VERSION)
     throw Error(fmt::format("{}: belongs to coppermoon {}, allowed {}", file.string(), version,
@@ -86,8 +70,7 @@ const ImageFunctions& images() {
 }  // namespace
 
 ImagesAhead::ImagesAhead() {
-  rlimit addresses{};
-  if (::getrlimit(RLIMIT_AS, &addresses) != 0 || addresses.rlim_cur != RLIM_INFINITY) return;
+  if (files::addresses_are_limited()) return;
   // oneTBB loads libraries of its own when it begins, and would wait for these
   tbb::parallel_for(0, 2, [](int) {});
   try {

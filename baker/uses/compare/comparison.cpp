@@ -22,7 +22,6 @@
 #include "colour/glow.h"
 #include "colour/working_space.h"
 #include "eclipse/shadow_axis.h"
-#include "povray_scenes/sight.h"
 #include "uses/picture/camera.h"
 #include "uses/picture/disc_outline.h"
 #include "uses/picture/pixels.h"

@@ -12,7 +12,7 @@
 #include "algebra/error.h"
 #include "texture/write_image.h"
 #include "uses/light/header.h"
-#include "uses/light/photometric_bands.h"
+#include "uses/light/photometer.h"
 #include "uses/picture/brightness.h"
 #include "uses/picture/clear_sky.h"
 #include "uses/picture/picture_parameters.h"

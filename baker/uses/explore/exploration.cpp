@@ -29,7 +29,6 @@
 #include "uses/light/danjon_air.h"
 #include "uses/light/header.h"
 #include "uses/light/photometer.h"
-#include "uses/light/photometric_bands.h"
 #include "uses/light/spectral_bands.h"
 #include "uses/picture/clear_sky.h"
 #include "uses/picture/local_time.h"

@@ -56,4 +56,11 @@ View view_of(const Film& film, const almanac::SkyState& sky) {
   return view;
 }
 
+LitMoon moon_of(const Film& film, const almanac::SkyState& sky, const View& view) {
+  return {film.moon,     sky,
+          film.albedo,   film.ground,
+          film.light,    film.moon.unshadowed ? std::nullopt : range_at(*film.light, sky),
+          view.observer, view.sightline};
+}
+
 }  // namespace coppermoon::uses

@@ -69,4 +69,7 @@ struct Film {
 /// View of the camera at a frame's moment; of a scene that has its own: scene_view.
 View view_of(const Film& film, const almanac::SkyState& sky);
 
+/// Moon of a film at a moment, as a view sees it; of an unshadowed film in full sunlight.
+LitMoon moon_of(const Film& film, const almanac::SkyState& sky, const View& view);
+
 }  // namespace coppermoon::uses

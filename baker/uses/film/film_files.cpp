@@ -2,17 +2,23 @@
 #include "uses/film/film_files.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "algebra/error.h"
+#include "algebra/number.h"
+#include "almanac/calendar.h"
 #include "files/whole_file.h"
 #include "texture/contact_sheet.h"
-#include "uses/film/film_composite.h"
-#include "uses/film/film_curve.h"
+#include "texture/read_image.h"
+#include "texture/resize.h"
+#include "texture/write_image.h"
 #include "uses/film/film_movie.h"
 #include "uses/film/film_sheet.h"
 #include "uses/film/film_stage.h"
+#include "uses/picture/plots.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -51,6 +57,120 @@ void require_product(bool made, const fs::path& file, const char* what, const ch
                                      file.string(), what, product));
 }
 
+/// Brightness of the whole disc in a frame, above the air, from the Earth's centre.
+struct CurvePoint {
+  std::size_t frame;
+  almanac::Instant when;
+  double V_magnitude;  ///< apparent; infinite when nothing is lit
+  double mean_luminance_cd_m2;
+};
+
+using Curve = std::vector<CurvePoint>;
+
+/// Light curve of some frames, from the film's own light.
+///
+/// Accuracy  5e-4 mag, and as much of luminance, from brightness_of, which simulates each moment on twice as many rows
+Curve curve_of(const Film& film, const std::vector<std::size_t>& frames) {
+  constexpr std::size_t rows = 180;  // of the textures that are measured
+  const MoonSurvey survey(film.moon, texture::resized(normal_albedo(film.moon), rows), *film.light);
+  Curve curve(frames.size());
+  tbb::parallel_for(std::size_t{0}, frames.size(), [&](std::size_t i) {
+    const auto sky = film.sky(frames[i]);
+    const auto disc = survey.brightness(sky);
+    curve[i] = {frames[i], sky.when, disc.magnitudes[V_band], disc.mean_luminance_cd_m2};
+  });
+  return curve;
+}
+
+/// Number as text; empty where it is not finite.
+std::string number(double value, int decimals) {
+  return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "";
+}
+
+std::string as_csv(const eclipse::Eclipse& eclipse, const Curve& curve) {
+  std::string text = "frame,instant,hours_from_greatest,V_magnitude,mean_luminance_cd_m2\n";
+  for (const auto& point : curve)
+    text += fmt::format("{},{},{:.6f},{},{:.6g}\n", point.frame,
+                        almanac::utc_text(point.when, eclipse.calendar, 3),
+                        hours_from_greatest(eclipse, point.when), number(point.V_magnitude, 4),
+                        point.mean_luminance_cd_m2);
+  return text;
+}
+
+/// Curve in one panel: hours against a column.
+PlotCurve drawn(const eclipse::Eclipse& eclipse, const Curve& curve, double CurvePoint::*column) {
+  std::string data;
+  for (const auto& point : curve)
+    data += fmt::format("{:.6f},{}\n", hours_from_greatest(eclipse, point.when),
+                        number(point.*column, 6));
+  return {data, "linespoints pt 7 ps 0.4 lw 2 lc rgb '#b0432b'"};
+}
+
+Plot plot_of(const eclipse::Eclipse& eclipse, const Curve& curve) {
+  auto plot = plot_over(eclipse, curve.front().when, curve.back().when);
+  plot.panels = {{{.label = "V magnitude", .reversed = true},
+                  {drawn(eclipse, curve, &CurvePoint::V_magnitude)}},
+                 {{.label = "mean luminance of the disc [cd/m^2]", .logarithmic = true},
+                  {drawn(eclipse, curve, &CurvePoint::mean_luminance_cd_m2)}}};
+  return plot;
+}
+
+/// Writes a curve as a table in .csv, or as a plot with the eclipse's contacts.
+void write_curve(const fs::path& path, const eclipse::Eclipse& eclipse, const Curve& curve) {
+  if (path.extension() == ".csv")
+    files::write_whole(path, as_csv(eclipse, curve));
+  else
+    write_plot(path, plot_of(eclipse, curve));
+}
+
+double number_in_header(const fs::path& frame, const char* name) {
+  const auto value = algebra::number_in(texture::read_attribute(frame, name).value_or(""));
+  if (!value) throw algebra::Error(fmt::format("{}: its header has no {}", frame.string(), name));
+  return *value;
+}
+
+double exposure_scale_of(const Development& development, const fs::path& frame) {
+  return scale_of(development,
+                  {number_in_header(frame, "expTime"), number_in_header(frame, "aperture"),
+                   number_in_header(frame, "isoSpeed")});
+}
+
+/// Adds a frame's exposure to the film, which is empty before the first.
+void expose(const Development& development, texture::Image& film, const fs::path& frame) {
+  const auto image = texture::read_image(frame);
+  if (film.values.empty()) film = texture::Image(image.width, image.height, image.channels);
+  if (image.width != film.width || image.height != film.height || image.channels != film.channels)
+    throw algebra::Error(fmt::format("{}: {} x {} pixels, allowed {} x {}, as the first frame",
+                                     frame.string(), image.width, image.height, film.width,
+                                     film.height));
+  const auto scale = static_cast<float>(exposure_scale_of(development, frame));
+  const bool sky = seen_by(frame).sky_cd_m2 > 0;
+  for (std::size_t i = 0; i < film.values.size(); ++i) {
+    float& value = film.values[i];
+    value = sky ? std::max(value, scale * image.values[i]) : value + scale * image.values[i];
+  }
+}
+
+/// Multiple exposure: the sum of scene-linear frames, each exposed as its header says, developed as one picture.
+///
+///     value = Σ s L        s: exposure_scale of the frame
+///
+/// Of frames that hold a sky it is the greatest s L in each pixel, as photographers blend by lightening: a sum would hold
+/// many skies.
+///
+/// Omits   occultation where Moons overlap
+/// Throws  Error  when a frame cannot be read, differs in size from the first, or has no exposure in its header
+void write_composite(const fs::path& path, const Film& film,
+                     const std::vector<std::size_t>& frames) {
+  texture::Image exposed;
+  for (const auto frame : frames) expose(film.development, exposed, film.linear_frame(frame));
+  const auto& development = film.development;
+  auto header = film.record.film_header();
+  header["coppermoon:view"] = development.display + ", " + development.view;
+  texture::write_png(path, shown(development, 1, exposed, space_of(film.content)), development.bits,
+                     header);
+}
+
 }  // namespace
 
 std::vector<fs::path> FilmFiles::all() const {
@@ -65,7 +185,7 @@ void require_sound(const FilmFiles& files, const Shard& shard) {
   if (shard.parts != 1)
     throw algebra::Error(fmt::format("shard = {}/{}, allowed 1/1 for what needs every frame",
                                      shard.part, shard.parts));
-  for (const auto& curve : files.curves) require_curve_ending(curve);
+  for (const auto& curve : files.curves) require_plot_ending(curve, "a curve", true);
   require_ending(files.contact_sheet, "contact sheet", ".png");
   require_ending(files.composite, "composite", ".png");
   require_movie_ending(files.movie);
@@ -96,7 +216,7 @@ void write_film_files(const FilmFiles& files, const Film& film, std::vector<std:
     tell(file);
   };
   if (!files.curves.empty()) {
-    const auto curve = light_curve(film, frames);
+    const auto curve = curve_of(film, frames);
     for (const auto& file : files.curves) {
       write_curve(file, film.moments.eclipse, curve);
       tell(file);

@@ -34,7 +34,8 @@ void require_makeable(const FilmFiles& files, const Film& film);
 /// Makes the files, each whole or not at all, from frames in order of time.
 ///
 /// Given   made   called with each file once it is there; may be empty
-/// Throws  Error  as write_contact_sheet, write_composite, write_curve, write_movie, write_stage
+/// Throws  Error  as write_contact_sheet, write_movie, write_stage, write_plot; for a frame of the composite that cannot be
+///                read, differs in size from the first, or has no exposure in its header
 void write_film_files(const FilmFiles& files, const Film& film, std::vector<std::size_t> frames,
                       const std::function<void(const std::filesystem::path&)>& made = {});
 

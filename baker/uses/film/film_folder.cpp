@@ -102,8 +102,8 @@ bool is_whole_of(const fs::path& file, std::size_t frame, const auto& alike) try
 }  // namespace
 
 FilmClaim::FilmClaim(const Film& film)
-    : claim_(film.folder, files::fingerprint(film.record.film_key())) {
-  if (!claim_.alone())
+    : claim_(files::claim_folder(film.folder, files::fingerprint(film.record.film_key()))) {
+  if (!claim_.alone)
     throw algebra::Error(fmt::format("{}: another film is being made in it, allowed another folder",
                                      film.folder.string()));
 }

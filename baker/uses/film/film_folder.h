@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 
-#include "files/folder_lock.h"
+#include "files/lock.h"
 #include "uses/film/film.h"
 
 namespace coppermoon::uses {

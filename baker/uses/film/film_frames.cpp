@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
@@ -16,6 +17,7 @@
 #include "files/temporary_folder.h"
 #include "povray_scenes/sequence.h"
 #include "texture/read_image.h"
+#include "texture/resize.h"
 #include "texture/write_image.h"
 #include "uses/film/film_folder.h"
 #include "uses/film/film_scene.h"
@@ -40,13 +42,7 @@ texture::Attributes header_of(const Film& film, std::size_t frame) {
   return header;
 }
 
-LitMoon lit_of(const Film& film, const almanac::SkyState& sky, const View& view) {
-  return {film.moon,     sky,           film.albedo,
-          film.ground,   film.light,    range_at(*film.light, sky),
-          view.observer, view.sightline};
-}
-
-BakedMoon moon_of(const Film& film, const LitMoon& lit, std::size_t frame) {
+BakedMoon texture_of(const Film& film, const LitMoon& lit, std::size_t frame) {
   const auto extent =
       film.products.textures ? texture::Extent::whole : texture::Extent::seen_from_earth;
   auto content = film.content;
@@ -54,8 +50,11 @@ BakedMoon moon_of(const Film& film, const LitMoon& lit, std::size_t frame) {
     content.space = picture_space;
     content.passes = false;
   }
-  auto moon = baked(lit, content, {extent});
-  for (const auto& [name, value] : header_of(film, frame)) moon.attributes[name] = value;
+  auto header = header_of(film, frame);
+  auto moon = baked(lit, content, {.extent = extent, .recipe = [](const auto&, const auto&) {
+                                     return std::string();  // the film's, of its header
+                                   }});
+  for (const auto& [name, value] : header) moon.attributes[name] = value;
   moon.attributes["framesPerSecond"] =
       std::vector{static_cast<float>(film.fps.frames), static_cast<float>(film.fps.seconds)};
   return moon;
@@ -148,8 +147,8 @@ void render_scene(const Film& film, Frames frames, int threads, const WhenMade& 
   for (const std::size_t frame : frames) {
     const auto sky = film.sky(frame);
     const auto view = view_of(film, sky);
-    const auto lit = lit_of(film, sky, view);
-    const LitScene scene{lit, view, moon_of(film, lit, frame), {view, lit}};
+    const auto lit = moon_of(film, sky, view);
+    const LitScene scene{lit, view, texture_of(film, lit, frame), {view, lit}};
     const LinearFrame light{rendered_scene(film, frame, scene, threads)};
     when_made(finished(film, {frame, scene.texture.attributes, {}, view.camera},
                        in_space(light, picture_space, space_of(film.content))));
@@ -171,8 +170,8 @@ void render(const Film& film, Frames frames, int threads, const WhenMade& when_m
   for (const std::size_t frame : frames) {
     const auto sky = film.sky(frame);
     const auto view = view_of(film, sky);
-    const auto lit = lit_of(film, sky, view);
-    const auto moon = moon_of(film, lit, frame);
+    const auto lit = moon_of(film, sky, view);
+    const auto moon = texture_of(film, lit, frame);
     const auto path = texture_file(batch.size() + 1);
     if (film.products.textures) {
       write_texture(film, frame, moon);
@@ -207,8 +206,8 @@ void render(const Film& film, Frames frames, int threads, const WhenMade& when_m
 void expose(const Film& film, std::size_t frame, const WhenMade& when_made) {
   const auto sky = film.sky(frame);
   const auto view = view_of(film, sky);
-  const auto lit = lit_of(film, sky, view);
-  const auto moon = moon_of(film, lit, frame);
+  const auto lit = moon_of(film, sky, view);
+  const auto moon = texture_of(film, lit, frame);
   if (film.products.textures && !is_own(film, film.texture(frame), frame))
     write_texture(film, frame, moon);
   auto made =
@@ -220,7 +219,7 @@ void expose(const Film& film, std::size_t frame, const WhenMade& when_made) {
 
 void bake(const Film& film, std::size_t frame, const WhenMade& when_made) {
   const auto sky = film.sky(frame);
-  const auto moon = moon_of(film, lit_of(film, sky, view_of(film, sky)), frame);
+  const auto moon = texture_of(film, moon_of(film, sky, view_of(film, sky)), frame);
   write_texture(film, frame, moon);
   when_made({frame, std::nullopt});
 }
@@ -252,6 +251,21 @@ std::size_t frames_a_batch(const Film& film, std::size_t frames, std::size_t lan
   constexpr double waiting = 256e6, most = 16;
   const double fit = std::clamp(waiting / (6 * texels_of(film)), 1., most);
   return std::min(static_cast<std::size_t>(fit), std::max<std::size_t>(1, frames / (2 * lanes)));
+}
+
+/// Frames that are not made yet; calls events.kept for the others.
+std::vector<std::size_t> missing_of(const Film& film, const std::vector<std::size_t>& frames,
+                                    const FilmEvents& events) {
+  std::vector<char> there(frames.size());
+  tbb::parallel_for(std::size_t{0}, frames.size(),
+                    [&](std::size_t i) { there[i] = is_made(film, frames[i]); });
+  std::vector<std::size_t> missing;
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    if (!there[i])
+      missing.push_back(frames[i]);
+    else if (events.kept)
+      events.kept(frames[i]);
+  return missing;
 }
 
 }  // namespace
@@ -308,6 +322,24 @@ void write_film_scene(const Film& film) {
   for (auto frame = film.moments.first_frame; frame <= film.moments.last_frame(); ++frame)
     sequence.cameras.push_back(view_of(film, film.sky(frame)).camera);
   write_sequence(film.folder, sequence);
+}
+
+Film with_ground(Film film) {
+  const auto albedo = normal_albedo(film.moon);
+  film.albedo = std::make_shared<const algebra::Grid<float>>(
+      texture::resized(albedo, texture_width_of(film.moon) / 2));
+  film.ground = ground_of(film.moon, albedo);
+  return film;
+}
+
+void make_film(const Film& film, const std::vector<std::size_t>& frames, const FilmEvents& events) {
+  if (film.products.light_alone() || frames.empty()) return;
+  if (film.products.scenes) write_film_scene(film);
+  const auto missing = missing_of(film, frames, events);
+  if (missing.empty()) return;
+  make_frames(with_ground(film), missing, [&](const MadeFrame& frame) {
+    if (events.made) events.made(frame);
+  });
 }
 
 }  // namespace coppermoon::uses

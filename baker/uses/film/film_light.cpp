@@ -6,9 +6,8 @@
 #include <algorithm>
 
 #include "algebra/error.h"
-#include "files/folder_lock.h"
+#include "files/lock.h"
 #include "files/own_file.h"
-#include "request/recipe.h"
 #include "uses/light/light_file.h"
 #include "uses/light/light_parameters.h"
 
@@ -21,10 +20,13 @@ ShadowedMoon moon_of(const Film& film, const LightRequest& request) {
   return moon_on_its_way(request, skies_between(frames.front(), frames.back()));
 }
 
-std::string key_of(const Film& film) {
+request::Recipe key_of(const Film& film) {
   const auto& frames = film.moments.frames;
-  return fmt::format("first-frame = {}\nlast-frame = {}\n{}", almanac::utc_text(frames.front(), 3),
-                     almanac::utc_text(frames.back(), 3), film.record.light_key());
+  const auto moment = [](const char* name, const almanac::Instant& when) {
+    return request::Setting{.name = name, .texts = {almanac::utc_text(when, 3)}, .bare = true};
+  };
+  return with({moment("first-frame", frames.front()), moment("last-frame", frames.back())},
+              film.record.light_key());
 }
 
 Purpose purpose_of(const Film& film) {
@@ -43,25 +45,24 @@ LightRequest with_shards(LightRequest request, const std::filesystem::path& fold
   return request;
 }
 
-/// Whether the folder's light is the one asked for, by a request or by a recipe whose work is planned.
-bool same_light(const KeptLight& known, const std::string& asked) {
-  return known.key == asked ||
-         request::differences(with_work(known.key, known.light.plan.work), asked).empty();
-}
-
-void refuse_key(const Film& film, const std::string& there, const std::string& asked) {
-  throw algebra::Error(fmt::format(
-      "{}: holds the light of a film made with {} ({}), allowed another folder{}",
-      film.folder.string(), differences_in_words(there, asked), light_file, film.record.way_out));
+/// Differences of the light in the folder from that asked for, by a request or by a recipe whose work is planned.
+std::vector<request::Difference> differences_of(const KeptLight& known,
+                                                const request::Recipe& asked) {
+  const auto there = light_key_in(known.key);
+  if (request::differences(with_work(there, known.light.plan.work), asked).empty()) return {};
+  return request::differences(there, asked);
 }
 
 /// Light kept in the folder; nothing where it is another film's or not complete.
 std::optional<Moonlight> kept_on_the_way(const Film& film, const ShadowedMoon& moon, bool replace) {
   auto known = read_light(film.folder / light_file);
   if (!known) return std::nullopt;
-  const auto key = key_of(film);
-  const bool same = same_light(*known, key);
-  if (!same && !replace) refuse_key(film, known->key, key);
+  const auto others = differences_of(*known, key_of(film));
+  const bool same = others.empty();
+  if (!same && !replace)
+    throw algebra::Error(fmt::format(
+        "{}: holds the light of a film made with {} ({}), allowed another folder{}",
+        film.folder.string(), in_words(others), light_file, film.record.way_out));
   if (!same || !complete(film.moon.light, moon, known->light)) return std::nullopt;
   return std::move(known->light);
 }
@@ -70,11 +71,11 @@ std::optional<Moonlight> kept_on_the_way(const Film& film, const ShadowedMoon& m
 
 FilmLight film_light(const Film& film, bool replace, const algebra::Progress& progress) {
   const auto moon = moon_of(film, film.moon.light);
-  const files::FolderLock alone(film.folder);
+  const auto alone = files::lock_folder(film.folder);
   if (auto kept = kept_on_the_way(film, moon, replace)) return {std::move(*kept), true};
   auto light =
       light_on_the_way(with_shards(film.moon.light, film.folder), moon, purpose_of(film), progress);
-  write_light(film.folder / light_file, key_of(film), light);
+  write_light(film.folder / light_file, text_of(key_of(film)), light);
   return {std::move(light), false};
 }
 

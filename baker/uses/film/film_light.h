@@ -24,8 +24,7 @@ struct FilmLight {
 ///
 /// Given   film      all but its light and albedo; its folder is there
 ///         replace   another film's light may be replaced
-/// Throws  Error     as moon_on_its_way, read_light, write_light; for light of other moments or of
-///                   another `light_key`
+/// Throws  Error     as moon_on_its_way, read_light, write_light; for light of other moments or of another `light_key`
 FilmLight film_light(const Film& film, bool replace = false,
                      const algebra::Progress& progress = {});
 

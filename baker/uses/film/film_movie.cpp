@@ -102,14 +102,14 @@ std::string coding_for(const fs::path& movie, const Film& film,
                                   : standard_range_coding(film.development.display);
 }
 
-/// Command line of ffmpeg. Output by name to a descriptor that can seek, which its standard output as a pipe cannot.
+/// Command line of ffmpeg. It opens its output by name, for it goes back in it.
 std::vector<std::string> command(const FrameRate& fps, const std::string& coding,
                                  const fs::path& movie) {
   std::istringstream words(
       fmt::format("ffmpeg -nostdin -loglevel error -xerror -y -framerate {} -f image2 -i %07d.png "
                   "-vf pad=ceil(iw/2)*2:ceil(ih/2)*2,{} "
-                  "-movflags +faststart -f {} /dev/fd/1",
-                  text_of(fps), coding, is_prores(movie) ? "mov" : "mp4"));
+                  "-movflags +faststart -f {} {}",
+                  text_of(fps), coding, is_prores(movie) ? "mov" : "mp4", files::own_output));
   return {std::istream_iterator<std::string>(words), {}};
 }
 
@@ -138,8 +138,8 @@ void write_movie(const fs::path& path, const Film& film, const std::vector<std::
   const auto pictures = pictures_of(film, frames);
   number_pictures(folder.path(), pictures);
   const auto words = command(film.fps, coding_for(path, film, pictures), path);
-  files::write_whole(path, [&](int descriptor) {
-    files::run_program({.words = words, .package = package, .folder = folder.path()}, descriptor);
+  files::write_whole(path, [&](const files::Handle& file) {
+    files::run_program({.words = words, .package = package, .folder = folder.path()}, &file);
   });
 }
 

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "algebra/error.h"
-#include "request/recipe.h"
 #include "texture/read_image.h"
 #include "uses/light/header.h"
 #include "uses/light/light_parameters.h"
@@ -19,7 +18,7 @@
 namespace coppermoon::uses {
 namespace {
 
-using request::Affects;
+using request::Affects, request::Recipe, request::Setting;
 
 constexpr const char *recipe_attribute = "coppermoon:recipe",
                      *version_attribute = "coppermoon:version",
@@ -27,61 +26,56 @@ constexpr const char *recipe_attribute = "coppermoon:recipe",
                      *view_attribute = "coppermoon:view_contents",
                      *view_contents_name = "view-contents";
 
-/// Recipe of a file, with the program's version and the fingerprints of the map and the view as parameters.
-using Account = std::string;
-
-Account account_of(const std::string& recipe, std::string_view version, std::string_view map,
-                   std::string_view view) {
-  return fmt::format("version = {}\nalbedo-map-contents = {}\n{} = {}\n{}", version, map,
-                     view_contents_name, view, recipe);
+/// Recipe of a file, with the program's version and the fingerprints of the map and the view as settings.
+Recipe account_of(const Recipe& recipe, std::string_view version, const std::string& map,
+                  const std::string& view) {
+  const auto setting = [](const char* name, std::string_view text, Affects affects) {
+    return Setting{.name = name, .texts = {std::string(text)}, .bare = true, .affects = affects};
+  };
+  return with({setting("version", version, Affects::light),
+               setting("albedo-map-contents", map, Affects::ground),
+               setting(view_contents_name, view, Affects::picture)},
+              recipe);
 }
 
-Account planned_account(const FilmRecord& record) {
-  return account_of(record.work ? with_work(record.recipe, *record.work) : record.recipe, version(),
-                    record.map_contents, record.view_contents);
+Recipe asked_account(const FilmRecord& record) {
+  return account_of(record.recipe, version(), record.map_contents, record.view_contents);
 }
 
-/// Account that a file's header keeps; empty without a recipe.
+Recipe planned_recipe(const FilmRecord& record) {
+  return record.work ? with_work(record.recipe, *record.work) : record.recipe;
+}
+
+Recipe planned_account(const FilmRecord& record) {
+  return account_of(planned_recipe(record), version(), record.map_contents, record.view_contents);
+}
+
+/// Account that a file's header keeps; empty without a recipe that can be read.
 ///
 /// Throws  Error  when it is no image
-Account account_in(const std::filesystem::path& file) {
+Recipe account_in(const std::filesystem::path& file) {
   constexpr std::array<std::string_view, 4> names{recipe_attribute, version_attribute,
                                                   map_attribute, view_attribute};
   const auto values = texture::read_attributes(file, names);
   if (!values[0]) return {};
-  return account_of(*values[0], values[1].value_or("none"), values[2].value_or("none"),
-                    values[3].value_or("none"));
+  try {
+    return account_of(request::recipe_in(*values[0]), values[1].value_or("none"),
+                      values[2].value_or("none"), values[3].value_or("none"));
+  } catch (const algebra::Error&) {
+    return {};
+  }
 }
 
-Affects affected_by(const FilmRecord& record, const std::string& name) {
-  if (name == "version") return Affects::light;
-  if (name == view_contents_name) return Affects::picture;
-  const auto found = record.affected.find(name);
-  return found == record.affected.end() ? Affects::ground : found->second;
-}
-
-/// Account of what affects that stage or an earlier one.
-Account up_to(Affects stage, const FilmRecord& record, const Account& account) {
-  return request::without(
-      account, [&](const std::string& name) { return affected_by(record, name) > stage; });
-}
-
-bool is_texture(const std::filesystem::path& file) {
-  return file.filename().string().starts_with("moon_");
-}
-
-/// Account of what a file depends on, by its name: a texture has no camera, and a frame no view.
-Account for_file(const std::filesystem::path& file, const FilmRecord& record,
-                 const Account& account) {
-  if (file.extension() == ".png") return account;
-  if (is_texture(file)) return up_to(Affects::sight, record, account);
-  return request::without(account,
-                          [](const std::string& name) { return name == view_contents_name; });
+/// Whether a file depends on a setting, by its name: a texture has no camera, and a frame no view.
+bool depends_on(const std::filesystem::path& file, const Setting& setting) {
+  if (file.extension() == ".png") return true;
+  return file.filename().string().starts_with("moon_") ? setting.affects <= Affects::sight
+                                                       : setting.name != view_contents_name;
 }
 
 std::string in_words(const request::Difference& difference) {
-  const auto& [name, there, asked] = difference;
-  if (name == "regions") return "other contents of regions";
+  const auto& [name, there, asked, of_parts] = difference;
+  if (of_parts) return fmt::format("other contents of {}s", name);
   const auto but_scene = [](const std::string& contents) {
     return contents.substr(0, contents.find(" scene "));
   };
@@ -99,32 +93,40 @@ std::string in_words(const request::Difference& difference) {
 }  // namespace
 
 texture::Attributes FilmRecord::frame_header() const {
-  return {{recipe_attribute, work ? with_work(recipe, *work) : recipe},
+  return {{recipe_attribute, text_of(planned_recipe(*this))},
           {version_attribute, std::string(version())},
           {map_attribute, map_contents},
           {view_attribute, view_contents}};
 }
 
 texture::Attributes FilmRecord::film_header() const {
-  return {{recipe_attribute, work ? with_work(recipe, *work) : recipe}};
+  return {{recipe_attribute, text_of(planned_recipe(*this))}};
 }
 
-std::string FilmRecord::light_key() const {
-  return up_to(Affects::light, *this, account_of(recipe, version(), map_contents, view_contents));
+Recipe FilmRecord::light_key() const {
+  auto key = asked_account(*this);
+  std::erase_if(key, [](const Setting& setting) { return setting.affects > Affects::light; });
+  return key;
 }
 
 std::string FilmRecord::film_key() const {
-  return without_work(account_of(recipe, version(), map_contents, view_contents));
+  auto key = asked_account(*this);
+  std::erase_if(key, is_planned);
+  return text_of(key);
 }
 
 bool FilmRecord::made_alike(const std::filesystem::path& file) const {
   return !recipe.empty() &&
-         for_file(file, *this, account_in(file)) == for_file(file, *this, planned_account(*this));
+         request::differences(account_in(file), planned_account(*this), [&](const auto& setting) {
+           return depends_on(file, setting);
+         }).empty();
 }
 
 bool FilmRecord::shows_the_same(const std::filesystem::path& frame) const {
-  return !recipe.empty() && up_to(Affects::frame, *this, account_in(frame)) ==
-                                up_to(Affects::frame, *this, planned_account(*this));
+  return !recipe.empty() &&
+         request::differences(account_in(frame), planned_account(*this), [](const auto& setting) {
+           return setting.affects <= Affects::frame;
+         }).empty();
 }
 
 std::string FilmRecord::foreign_contents(const std::filesystem::path& file) const {
@@ -132,25 +134,23 @@ std::string FilmRecord::foreign_contents(const std::filesystem::path& file) cons
   try {
     const auto there = account_in(file);
     if (there.empty()) return "what is no film of coppermoon's";
-    const auto why =
-        differences_in_words(without_work(for_file(file, *this, there)),
-                             without_work(for_file(file, *this, planned_account(*this))));
+    const auto why = uses::in_words(
+        request::differences(there, planned_account(*this), [&](const Setting& setting) {
+          return depends_on(file, setting) && !is_planned(setting);
+        }));
     return why.empty() ? "" : "a film made with " + why;
   } catch (const algebra::Error&) {
     return {};
   }
 }
 
-FilmRecord film_record(const request::Parameters& parameters, std::string recipe) {
-  FilmRecord record{.recipe = std::move(recipe)};
-  for (const auto& parameter : parameters)
-    record.affected.emplace(parameter.name, parameter.affects);
-  return record;
+Recipe light_key_in(const std::string& text) {
+  return request::recipe_in(
+      text, "", {"first-frame", "last-frame", "version", "albedo-map-contents", view_contents_name});
 }
 
-std::string differences_in_words(const std::string& there, const std::string& asked) {
+std::string in_words(std::vector<request::Difference> all) {
   constexpr std::size_t most = 3;
-  auto all = request::differences(there, asked);
   std::ranges::sort(all, {}, [](const request::Difference& difference) {
     return std::pair(difference.first == "none", difference.name);
   });

@@ -34,4 +34,18 @@ struct Mounting {
 ///                 map that cannot be read
 void set_up(Film& film, const Mounting& mounting, const std::vector<std::size_t>& frames);
 
+/// Moons in the picture of a camera on a tripod.
+struct FixedView {
+  std::size_t outside = 0;  ///< Moons that the picture does not hold whole
+  std::size_t looked_at =
+      0;  ///< Moons above the horizon, of frames spread evenly: all of a film of 240
+  /// aim, and field across the picture, that hold all of them: in steps of 0.1 degrees and of a degree, not less than
+  /// the film's own field. None where no picture holds them
+  std::optional<povray_scenes::HorizonPlace> aim = {};
+  double field_deg = 0;
+};
+
+/// Given  film  after set_up, of an observer and an aim
+FixedView fixed_view(const Film& film);
+
 }  // namespace coppermoon::uses

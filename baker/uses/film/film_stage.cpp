@@ -12,9 +12,9 @@
 #include "povray_scenes/sequence.h"
 #include "texture/resize.h"
 #include "uses/dome/dome.h"
-#include "uses/film/make_film.h"
+#include "uses/film/film_frames.h"
 #include "uses/light/header.h"
-#include "uses/picture/usd_sight.h"
+#include "uses/picture/lit_scene.h"
 #include "uses/shader/eclipse_shader.h"
 #include "uses/shader/shader_languages.h"
 
@@ -42,14 +42,6 @@ Film in_little(Film film) {
   film.content.passes = false;
   film.content.spectral_nm.reset();
   return film;
-}
-
-/// Moon of a frame, as its observer sees it.
-LitMoon moon_of(const Film& film, const almanac::SkyState& sky, const View& view) {
-  return {film.moon,     sky,
-          film.albedo,   film.ground,
-          film.light,    film.moon.unshadowed ? std::nullopt : range_at(*film.light, sky),
-          view.observer, view.sightline};
 }
 
 /// A frame on the stage.

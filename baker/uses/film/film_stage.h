@@ -27,7 +27,7 @@ void write_stage(const std::filesystem::path& path, const Film& film,
 
 /// Refuses a stage that cannot be made of a film.
 ///
-/// Throws  Error  for another folder than the film's, without textures, for a single frame, a mirrored camera, other
+/// Throws  Error  for another folder than the film's, without textures, for a single frame, for other
 ///                colour spaces, an unshadowed film
 void require_stage(const std::filesystem::path& path, const Film& film);
 

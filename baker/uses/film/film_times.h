@@ -3,15 +3,37 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "almanac/instant.h"
 #include "eclipse/contacts.h"
-#include "uses/film/frame_rate.h"
+#include "uses/light/shard.h"
 #include "uses/picture/view.h"
 
 namespace coppermoon::uses {
+
+/// Frames in a second of a film: a ratio of whole numbers, as 24/1 or 24000/1001.
+struct FrameRate {
+  int frames = 24, seconds = 1;
+
+  double value() const { return static_cast<double>(frames) / seconds; }
+};
+
+/// Frame rate of a text.
+///
+/// Given     text  "24", "12.5" or "24000/1001"; a television rate as it is mostly written, "23.976", "29.97" or
+///                 "59.94", is the ratio with 1001 that is meant
+/// Returned  in lowest terms; a decimal number is rounded to a thousandth
+/// Throws    Error  when it is none, or outside 1 to 1000; for a ratio with more than 10000 below
+FrameRate frame_rate_from(const std::string& text);
+
+/// "24", "12.5", "24000/1001": frame_rate_from reads it back.
+std::string text_of(const FrameRate& rate);
+
+/// As frame_rate_from, for request::parameter.
+void read_text(const std::string& text, FrameRate& rate);
 
 /// Request for the times of a film's frames.
 struct FilmTimes {
@@ -53,5 +75,18 @@ Moments moments_of(const FilmTimes& times);
 std::pair<almanac::Instant, almanac::Instant> while_up(const ViewRequest& view,
                                                        const almanac::Instant& from,
                                                        const almanac::Instant& to);
+
+/// Frames of a range in the notation of render farms: "1-240", "1-240x2" (every second), "7,9,20-30". Each stands
+/// once, in the order written.
+///
+/// Given   text   empty: all
+///         count  number of the film's frames
+///         first  number of the first
+/// Throws  Error  for another notation; for a frame beyond the film
+std::vector<std::size_t> frames_in(const std::string& text, std::size_t count,
+                                   std::size_t first = 1);
+
+/// Share of shard K/N: every N-th frame from the K-th on.
+std::vector<std::size_t> part_of(const std::vector<std::size_t>& frames, const Shard& shard);
 
 }  // namespace coppermoon::uses

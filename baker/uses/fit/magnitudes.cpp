@@ -20,7 +20,6 @@
 #include "surface/albedo_map.h"
 #include "texture/bake.h"
 #include "uses/light/photometer.h"
-#include "uses/light/photometric_bands.h"
 
 namespace coppermoon::uses {
 namespace {

@@ -14,7 +14,7 @@
 #include "colour/working_space.h"
 #include "eclipse/shadow_axis.h"
 #include "eclipse/shadow_cone.h"
-#include "povray_scenes/sight.h"
+#include "povray_scenes/camera.h"
 #include "surface/albedo_map.h"
 #include "texture/bake.h"
 #include "uses/light/moonlight.h"

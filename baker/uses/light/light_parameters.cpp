@@ -14,7 +14,6 @@
 #include "algebra/error.h"
 #include "algebra/number.h"
 #include "atmosphere/presets.h"
-#include "request/recipe.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -476,21 +475,34 @@ std::string air_in_words(const Parameters& parameters) {
   return air + changes;
 }
 
-std::string with_work(const std::string& recipe, const plan::Work& work) {
+request::Recipe with_work(const request::Recipe& recipe, const plan::Work& work) {
   const bool photons = plan::traces_photons(work.solver);
-  auto text = fmt::format(
-      "bands = {}\nrays = {}\nsun-terms = {}\nplanes = {}\nplace-error = {}\nleave-out = {}\n"
-      "solver = '{}'\n",
-      work.bands, work.rays, work.sun_terms, work.planes, work.place_error,
-      request::quoted(terms_left_out(work)),
+  std::vector<request::Setting> knobs;
+  const auto add = [&](const char* name, std::string text, bool bare) {
+    knobs.push_back({.name = name, .texts = {std::move(text)}, .bare = bare});
+  };
+  const auto add_number = [&](const char* name, auto number) {
+    add(name, fmt::format("{}", number), true);
+  };
+  add_number("bands", work.bands);
+  add_number("rays", work.rays);
+  add_number("sun-terms", work.sun_terms);
+  add_number("planes", work.planes);
+  add_number("place-error", work.place_error);
+  add("leave-out", terms_left_out(work), false);
+  add("solver",
       work.solver == Solver::literal ? "literal"
       : photons                      ? "photons"
-                                     : "quadrature");
-  if (photons) text += fmt::format("photons = {}\n", work.photons);
-  return text + without_work(recipe);
+                                     : "quadrature",
+      false);
+  if (photons) add_number("photons", work.photons);
+  auto asked = recipe;
+  for (auto& setting : asked)
+    if (is_planned(setting)) setting.texts.clear();
+  return request::with(std::move(knobs), asked);
 }
 
-std::string without_work(const std::string& recipe) {
+bool is_planned(const request::Setting& setting) {
   static const auto planned = [] {
     Effort effort;
     LightRequest light;
@@ -503,13 +515,13 @@ std::string without_work(const std::string& recipe) {
       if (parameter.planned) names.insert(parameter.name);
     return names;
   }();
-  return request::without(recipe, [](const std::string& name) { return planned.contains(name); });
+  return planned.contains(setting.name);
 }
 
 std::string photons_recipe(const Parameters& parameters) {
-  return request::recipe_of(parameters, [](const request::Parameter& parameter) {
+  return text_of(request::recipe_of(parameters, [](const request::Parameter& parameter) {
     return parameter.affects == Affects::photons;
-  });
+  }));
 }
 
 }  // namespace coppermoon::uses

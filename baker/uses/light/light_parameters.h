@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "request/parameter.h"
+#include "request/recipe.h"
 #include "uses/light/moonlight.h"
 
 namespace coppermoon::uses {
@@ -61,10 +61,10 @@ std::string air_in_words(const request::Parameters& parameters);
 
 /// Recipe in which the planned work, knob by knob, replaces what it was planned from: the same Moon on any machine.
 /// The quality stays: it may say more.
-std::string with_work(const std::string& recipe, const plan::Work& work);
+request::Recipe with_work(const request::Recipe& recipe, const plan::Work& work);
 
-/// Recipe without work, and without what it is planned from.
-std::string without_work(const std::string& recipe);
+/// Whether a setting is work, or what work is planned from.
+bool is_planned(const request::Setting& setting);
 
 /// Recipe of all that photons depend on: sums of photons with another one are refused.
 std::string photons_recipe(const request::Parameters& parameters);

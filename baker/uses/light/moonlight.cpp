@@ -56,11 +56,22 @@ std::optional<shadow::PhotonSums> added(const std::vector<std::filesystem::path>
   return all;
 }
 
-/// Input of a solver: air, planes, wavelengths.
+/// Input of a solver: air, planes, wavelengths, and places.
 struct Rig {
-  const atmosphere::Atmosphere& air;
-  const shadow::Arrangement& arrangement;
-  std::span<const double> wavelengths_nm;
+  atmosphere::Atmosphere air;
+  shadow::Arrangement arrangement;
+  std::vector<double> wavelengths_nm, axis_distances_m;
+  shadow::QuadratureSettings settings;
+
+  shadow::RefractedLight darkness() const {
+    return shadow::darkness(arrangement, wavelengths_nm, axis_distances_m,
+                            air.symmetric() ? 1 : settings.sectors.around);
+  }
+  shadow::RefractedLight by_quadrature(const algebra::Progress& progress) const {
+    return shadow::by_quadrature(air, arrangement, wavelengths_nm, axis_distances_m, settings,
+                                 progress);
+  }
+  shadow::DirectLight direct_light() const { return {air, arrangement, wavelengths_nm}; }
 };
 
 /// Photons of the shard that is asked for, with the sums of files added; the sums are kept where a file is named.
@@ -91,69 +102,6 @@ shadow::RefractedLight photons_of(const LightRequest& request, const Rig& rig,
   const auto light = light_of_photons(request.photon_files, rig, settings, progress);
   return shadow::smoothed(light, request.smoothing_km * 1e3);
 }
-
-}  // namespace
-
-ScatteredLight scattered_light_of(const LightRequest& request) {
-  const bool counted = request.air.column.danjon.has_value();
-  const bool automatic = request.scattered_light == ScatteredLight::automatic;
-  return counted && automatic ? ScatteredLight::off : request.scattered_light;
-}
-
-void require_eclipse(const almanac::Instant& when, const std::string& way_out,
-                     almanac::Calendar calendar) {
-  const auto convention = eclipse::ShadowConvention::danjon;
-  if (eclipse::eclipse_at(when, convention)) return;
-  throw algebra::Error(fmt::format(
-      "no lunar eclipse at {}; the nearest is greatest at {}{}", almanac::utc_text(when, calendar),
-      almanac::utc_text(eclipse::nearest_eclipse(when, convention).greatest, calendar), way_out));
-}
-
-shadow::Arrangement arrangement_of(const LightRequest& request, double sun_distance_m,
-                                   std::vector<double> depths_m) {
-  const bool usual = request.air.atmosphere != "paper";
-  return {sun_distance_m, std::move(depths_m), request.limb_darkening.value_or(usual)};
-}
-
-shadow::RefractedLight refracted_light(const LightRequest& request,
-                                       const atmosphere::Atmosphere& air,
-                                       const shadow::Arrangement& arrangement,
-                                       const LightGrid& grid, const algebra::Progress& progress) {
-  require_sound(request);
-  const auto& terms = request.by_hand.terms;
-  auto light = [&] {
-    if (terms && !terms->refracted)
-      return shadow::darkness(arrangement, grid.wavelengths_nm, grid.axis_distances_m,
-                              air.symmetric() ? 1 : grid.around);
-    if (plan::traces_photons(request.solver)) {
-      if (!request.photons)
-        throw algebra::Error(
-            "photons: none given, allowed 1 to 1e12; only light on a Moon has a tolerance that "
-            "says how many");
-      return photons_of(request, {air, arrangement, grid.wavelengths_nm}, {}, most_photons,
-                        progress);
-    }
-    const double tolerance = std::min(request.wish.tolerance.value_or(1e-3), 1e-3);
-    const auto work = plan::work_of_rays(tolerance, arrangement.limb_darkening, request.by_hand);
-    return shadow::by_quadrature(
-        air, arrangement, grid.wavelengths_nm, grid.axis_distances_m,
-        {.rays = work.rays, .sun_terms = work.sun_terms, .sectors = {grid.around}}, progress);
-  }();
-  const bool left_out = terms && !terms->scattered_light;
-  if (!left_out && scattered_light_of(request) != ScatteredLight::off)
-    shadow::add_twilight(light, air);
-  if (request.starlight) shadow::add_starlight(light);
-  return light;
-}
-
-ShadowedMoon shadowed_moon(const LightRequest& request, const almanac::SkyState& sky) {
-  const auto axis = eclipse::shadow_axis(sky);
-  return {eclipse::place_in_shadow(axis, sky.moon_m), algebra::in_metres(axis.sun_distance),
-          arrangement_of(request, algebra::in_metres(axis.sun_distance), {}).limb_darkening,
-          atmosphere_of(request.air, sky)};
-}
-
-namespace {
 
 /// Whether scattered light is left out that may be a twentieth of the error or more.
 bool leaves_scattered_light(const plan::Plan& plan) {
@@ -192,17 +140,16 @@ plan::Plan plan_of(const LightRequest& request, const ShadowedMoon& moon, const 
   return plan::plan_for(scene, request.wish, this_machine(), hand);
 }
 
-shadow::RefractedLight light_of_work(const LightRequest& request, const ShadowedMoon& moon,
-                                     const plan::Plan& plan, const shadow::Arrangement& arrangement,
-                                     const algebra::Progress& progress) {
-  const auto waves = wavelengths_nm(plan.work.bands);
-  const auto distances = distances_over_the_disc(moon);
-  const auto air = air_for(plan.work, moon);
-  if (!plan.work.refracted)
-    return shadow::darkness(arrangement, waves, distances, air.symmetric() ? 1 : sectors_of_a_plan);
-  if (plan.work.solver == plan::Solver::quadrature)
-    return shadow::by_quadrature(air, arrangement, waves, distances,
-                                 quadrature_for(plan.work, moon), progress);
+Rig rig_of(const LightRequest& request, const ShadowedMoon& moon, const plan::Work& work) {
+  return {air_for(work, moon),
+          arrangement_of(request, moon.sun_distance_m, depths_of(moon, work.planes)),
+          wavelengths_nm(work.bands), distances_over_the_disc(moon), quadrature_for(work, moon)};
+}
+
+shadow::RefractedLight planned_refracted_light(const LightRequest& request, const plan::Plan& plan,
+                                               const Rig& rig, const algebra::Progress& progress) {
+  if (!plan.work.refracted) return rig.darkness();
+  if (plan.work.solver == plan::Solver::quadrature) return rig.by_quadrature(progress);
   const auto weights = at_wavelengths(luminance_weights(), plan.work.bands);
   const auto row = weights.row(0);
   auto limited = request;
@@ -210,71 +157,10 @@ shadow::RefractedLight light_of_work(const LightRequest& request, const Shadowed
   if (request.wish.budget_s && !request.photons) limited.photons = plan.work.photons;
   // who asked for none does not wait until the darkest sector has enough of them
   const double most = wants_photons(request) ? most_photons : std::max(1e6, 16 * plan.work.photons);
+  const auto& distances = rig.axis_distances_m;
   const shadow::StoppingRule enough{
       {row.begin(), row.end()}, plan.tolerance, distances.front(), distances.back()};
-  return photons_of(limited, {air, arrangement, waves}, enough, most, progress);
-}
-
-}  // namespace
-
-shadow::Lookup Moonlight::in_sums(const shadow::ChannelWeights& weights,
-                                  const shadow::LookupRange& within, shadow::LightPart part) const {
-  if (!refracted) return shadow::Lookup(weights, part);
-  return shadow::Lookup(*refracted, *direct, weights, within, part);
-}
-
-shadow::Lookup Moonlight::in_channels(const shadow::ChannelWeights& weights) const {
-  return in_sums(at_wavelengths(weights, plan.work.bands), range);
-}
-
-plan::Plan planned_light(const LightRequest& request, const almanac::SkyState& sky,
-                         const Purpose& purpose) {
-  const auto moon = shadowed_moon(request, sky);
-  require_sound(request);
-  require_eclipse(sky.when);
-  return plan_of(request, moon, purpose);
-}
-
-namespace {
-
-shadow::Arrangement arrangement_of(const LightRequest& request, const ShadowedMoon& moon,
-                                   const plan::Work& work) {
-  return arrangement_of(request, moon.sun_distance_m, depths_of(moon, work.planes));
-}
-
-/// Light without the direct, and the twilight in it; none where it was left out.
-struct ShadowLight {
-  Moonlight light{};
-  std::optional<shadow::RefractedLight> twilight{};
-};
-
-ShadowLight shadow_light_of(const LightRequest& request, const ShadowedMoon& moon,
-                            const Purpose& purpose, const algebra::Progress& progress) {
-  ShadowLight all;
-  auto& light = all.light;
-  light.plan = plan_of(request, moon, purpose);
-  const auto& work = light.plan.work;
-  light.refracted =
-      light_of_work(request, moon, light.plan, arrangement_of(request, moon, work), progress);
-  if (light.refracted->photons > 0)
-    light.plan.work.photons = static_cast<double>(light.refracted->photons);
-  if (work.scattered_light) {
-    all.twilight =
-        std::move(shadow::twilight_about(*light.refracted, std::span(&moon.air, 1)).front());
-    shadow::add_between(*all.twilight, *light.refracted);
-  }
-  if (request.starlight) shadow::add_starlight(*light.refracted);
-  light.range = {light.refracted->axis_distances_m.front(),
-                 light.refracted->axis_distances_m.back(),
-                 std::clamp(light.plan.tolerance / 10, 1e-5, 1e-3),
-                 quadrature_for(work, moon).sectors.in(light.refracted->sectors)};
-  return all;
-}
-
-void add_direct_light(const LightRequest& request, const ShadowedMoon& moon, Moonlight& light) {
-  const auto& work = light.plan.work;
-  light.direct.emplace(air_for(work, moon), arrangement_of(request, moon, work),
-                       wavelengths_nm(work.bands));
+  return photons_of(limited, rig, enough, most, progress);
 }
 
 /// Distance rounded to the metre, for processors round differently.
@@ -287,25 +173,96 @@ bool are_alike(const shadow::Arrangement& a, const shadow::Arrangement& b) {
 
 }  // namespace
 
+ScatteredLight scattered_light_of(const LightRequest& request) {
+  const bool counted = request.air.column.danjon.has_value();
+  const bool automatic = request.scattered_light == ScatteredLight::automatic;
+  return counted && automatic ? ScatteredLight::off : request.scattered_light;
+}
+
+void require_eclipse(const almanac::Instant& when, const std::string& way_out,
+                     almanac::Calendar calendar) {
+  const auto convention = eclipse::ShadowConvention::danjon;
+  if (eclipse::eclipse_at(when, convention)) return;
+  throw algebra::Error(fmt::format(
+      "no lunar eclipse at {}; the nearest is greatest at {}{}", almanac::utc_text(when, calendar),
+      almanac::utc_text(eclipse::nearest_eclipse(when, convention).greatest, calendar), way_out));
+}
+
+shadow::Arrangement arrangement_of(const LightRequest& request, double sun_distance_m,
+                                   std::vector<double> depths_m) {
+  const bool usual = request.air.atmosphere != "paper";
+  return {sun_distance_m, std::move(depths_m), request.limb_darkening.value_or(usual)};
+}
+
+shadow::RefractedLight refracted_light(const LightRequest& request,
+                                       const atmosphere::Atmosphere& air,
+                                       const shadow::Arrangement& arrangement,
+                                       const LightGrid& grid, const algebra::Progress& progress) {
+  require_sound(request);
+  const auto& terms = request.by_hand.terms;
+  const auto& [waves, distances, around] = grid;
+  Rig rig{air, arrangement, {waves.begin(), waves.end()}, {distances.begin(), distances.end()}, {}};
+  rig.settings.sectors = {around};
+  auto light = [&] {
+    if (terms && !terms->refracted) return rig.darkness();
+    if (plan::traces_photons(request.solver)) {
+      if (!request.photons)
+        throw algebra::Error(
+            "photons: none given, allowed 1 to 1e12; only light on a Moon has a tolerance that "
+            "says how many");
+      return photons_of(request, rig, {}, most_photons, progress);
+    }
+    const double tolerance = std::min(request.wish.tolerance.value_or(1e-3), 1e-3);
+    const auto work = plan::work_of_rays(tolerance, arrangement.limb_darkening, request.by_hand);
+    rig.settings.rays = work.rays;
+    rig.settings.sun_terms = work.sun_terms;
+    return rig.by_quadrature(progress);
+  }();
+  const bool left_out = terms && !terms->scattered_light;
+  if (!left_out && scattered_light_of(request) != ScatteredLight::off)
+    shadow::add_twilight(light, air);
+  if (request.starlight) shadow::add_starlight(light);
+  return light;
+}
+
+ShadowedMoon shadowed_moon(const LightRequest& request, const almanac::SkyState& sky) {
+  const double sun_distance_m = algebra::in_metres(eclipse::shadow_axis(sky).sun_distance);
+  return {eclipse::moon_in_shadow(sky), sun_distance_m,
+          arrangement_of(request, sun_distance_m, {}).limb_darkening,
+          atmosphere_of(request.air, sky)};
+}
+
+shadow::Lookup Moonlight::in_sums(const shadow::ChannelWeights& weights,
+                                  const shadow::LookupRange& within, shadow::LightPart part) const {
+  if (!refracted) return shadow::Lookup(weights, part);
+  return shadow::Lookup(*refracted, *direct, weights, within, part);
+}
+
+shadow::Lookup Moonlight::in_channels(const shadow::ChannelWeights& weights) const {
+  return in_sums(at_wavelengths(weights, plan.work.bands), range);
+}
+
 bool complete(const LightRequest& request, const ShadowedMoon& moon, Moonlight& light) {
-  const auto& work = light.plan.work;
-  if (!are_alike(light.refracted->arrangement, arrangement_of(request, moon, work))) return false;
-  add_direct_light(request, moon, light);
+  const auto rig = rig_of(request, moon, light.plan.work);
+  if (!are_alike(light.refracted->arrangement, rig.arrangement)) return false;
+  light.direct = rig.direct_light();
   return true;
 }
 
 Moonlight unshadowed_light(const LightRequest& request, const almanac::SkyState& sky) {
-  shadowed_moon(request, sky);
   require_sound(request);
+  shadowed_moon(request, sky);
   return {};
 }
 
 Moonlight light_on_the_moon(const LightRequest& request, const almanac::SkyState& sky,
                             const Purpose& purpose, const algebra::Progress& progress) {
-  const auto moon = shadowed_moon(request, sky);
-  require_sound(request);
-  require_eclipse(sky.when);
-  return light_on_the_way(request, moon, purpose, progress);
+  return light_on_the_way(request, moon_on_its_way(request, {&sky, 1}), purpose, progress);
+}
+
+plan::Plan planned_light(const LightRequest& request, const almanac::SkyState& sky,
+                         const Purpose& purpose) {
+  return plan_of(request, moon_on_its_way(request, {&sky, 1}), purpose);
 }
 
 bool wants_photons(const LightRequest& request) {
@@ -327,33 +284,43 @@ std::vector<almanac::SkyState> skies_between(const almanac::Instant& from,
 ShadowedMoon moon_on_its_way(const LightRequest& request,
                              std::span<const almanac::SkyState> skies) {
   require_sound(request);
-  ShadowedMoon moon;
-  for (const auto& sky : skies) {
-    auto here = shadowed_moon(request, sky);
-    const bool deepest = moon.path.empty() || here.centre.axis_distance < moon.centre.axis_distance;
-    auto path = std::move(moon.path);
-    path.push_back(here.centre);
-    if (deepest) moon = std::move(here);
-    moon.path = std::move(path);
-  }
+  std::vector<eclipse::ShadowPlace> path;
+  for (const auto& sky : skies) path.push_back(eclipse::moon_in_shadow(sky));
   const auto deepest = std::ranges::min_element(
-      moon.path, {}, [](const auto& place) { return algebra::in_metres(place.axis_distance); });
-  require_eclipse(skies[static_cast<std::size_t>(deepest - moon.path.begin())].when);
+      path, {}, [](const auto& place) { return algebra::in_metres(place.axis_distance); });
+  const auto& sky = skies[static_cast<std::size_t>(deepest - path.begin())];
+  auto moon = shadowed_moon(request, sky);
+  require_eclipse(sky.when);
+  if (path.size() > 1) moon.path = std::move(path);
   return moon;
 }
 
 Moonlight light_on_the_way(const LightRequest& request, const ShadowedMoon& moon,
                            const Purpose& purpose, const algebra::Progress& progress) {
-  auto [light, twilight] = shadow_light_of(request, moon, purpose, progress);
-  add_direct_light(request, moon, light);
+  Moonlight light;
+  light.plan = plan_of(request, moon, purpose);
+  auto& work = light.plan.work;
+  const auto rig = rig_of(request, moon, work);
+  auto& refracted =
+      light.refracted.emplace(planned_refracted_light(request, light.plan, rig, progress));
+  if (refracted.photons > 0) work.photons = static_cast<double>(refracted.photons);
+  std::optional<shadow::RefractedLight> twilight;
+  if (work.scattered_light) {
+    twilight = std::move(shadow::twilight_about(refracted, std::span(&moon.air, 1)).front());
+    shadow::add_between(*twilight, refracted);
+  }
+  if (request.starlight) shadow::add_starlight(refracted);
+  light.range = {refracted.axis_distances_m.front(), refracted.axis_distances_m.back(),
+                 std::clamp(light.plan.tolerance / 10, 1e-5, 1e-3),
+                 rig.settings.sectors.in(refracted.sectors)};
+  light.direct = rig.direct_light();
   if (purpose.error_told) light.error_found = found_error(moon, light, twilight);
-  if (light.refracted->photons > 0) light.plan.work.rays = photon_settings(request).rays;
+  if (refracted.photons > 0) work.rays = photon_settings(request).rays;
   return light;
 }
 
 std::optional<shadow::LookupRange> range_at(const Moonlight& light, const almanac::SkyState& sky) {
-  const ShadowedMoon moon{.centre =
-                              eclipse::place_in_shadow(eclipse::shadow_axis(sky), sky.moon_m)};
+  const ShadowedMoon moon{.centre = eclipse::moon_in_shadow(sky)};
   const auto distances = distances_over_the_disc(moon);
   auto range = light.range;
   const double depth = algebra::in_metres(moon.centre.depth);

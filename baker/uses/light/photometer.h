@@ -1,17 +1,46 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "algebra/described.h"
 #include "algebra/grid.h"
 #include "almanac/sky.h"
 #include "atmosphere/observer_air.h"
 #include "texture/image.h"
 
 namespace coppermoon::uses {
+
+/// A band of astronomical photometry.
+struct PhotometricBand {
+  std::string name;
+  double solar_magnitude;  ///< of the Sun at 1 au
+};
+
+/// Place of V among the bands.
+inline constexpr std::size_t V_band = 1;
+
+/// B, V (Johnson) and R (Cousins).
+///
+/// Source  V = −26.76, B − V = 0.653, V − R = 0.356: Ramírez et al. (2012), ApJ 752, 5; Willmer (2018), ApJS 236, 47
+std::vector<PhotometricBand> photometric_bands();
+
+/// Numbers of the bands by their names.
+///
+/// Given  numbers  [band]; empty: of no band
+algebra::ByName<double> by_band(const std::vector<double>& numbers);
+
+/// Response of these bands to irradiance, [band][wavelength band], peak 1 times the width [nm].
+///
+/// Given  edges_nm  380 to 780
+/// Omits  the part of R beyond 780 nm, 6 % of it
+/// Source Bessell (1990), PASP 102, 1181
+algebra::Grid<double> photometric_response(std::span<const double> edges_nm);
 
 /// Channels of a texture from which a Moon is measured: photometric_bands, and luminance.
 struct Photometer {
@@ -26,13 +55,77 @@ Photometer photometer(const std::optional<atmosphere::Sightline>& sightline = {}
 /// Measures of the whole disc.
 struct DiscBrightness {
   std::vector<double> magnitudes;  ///< [band]; infinite when nothing is lit
-  double mean_luminance_cd_m2;
-  double illuminance_lx;  ///< on a surface that faces the Moon
+  double mean_luminance_cd_m2 = 0;
+  double illuminance_lx = 0;  ///< on a surface that faces the Moon
 };
+
+template <class Field>
+void describe_magnitudes(Field&& is, const DiscBrightness& disc) {
+  is("magnitudes", by_band(disc.magnitudes), algebra::unit::mag,
+     "magnitudes of the whole Moon by band: B and V (Johnson), R (Cousins)");
+}
+
+template <class Field>
+void describe_light(Field&& is, const DiscBrightness& disc) {
+  is("mean_luminance_cd_m2", disc.mean_luminance_cd_m2, algebra::unit::luminance,
+     "luminance, the mean over the disc");
+  is("illuminance_lx", disc.illuminance_lx, algebra::unit::illuminance,
+     "illuminance on a surface that faces the Moon");
+}
+
+/// Magnitudes with a key for each band, `where` behind their meaning.
+///
+/// Given  disc  none: of numbers that are not known
+template <class Field>
+void describe_magnitude_columns(Field&& is, const DiscBrightness* disc, const std::string& prefix,
+                                const std::string& where) {
+  const auto bands = photometric_bands();
+  for (std::size_t k = 0; k < bands.size(); ++k)
+    is(prefix + bands[k].name + "_magnitude",
+       disc && k < disc->magnitudes.size() ? std::optional(disc->magnitudes[k]) : std::nullopt,
+       algebra::unit::mag, bands[k].name + " magnitude of the whole Moon" + where);
+}
+
+/// What is measured of a disc, all in columns.
+///
+/// Given  disc  none: of numbers that are not known
+template <class Field>
+void describe_columns(Field&& is, const DiscBrightness* disc, const std::string& prefix,
+                      const std::string& where) {
+  describe_magnitude_columns(is, disc, prefix, where);
+  is(prefix + "mean_luminance_cd_m2",
+     disc ? std::optional(disc->mean_luminance_cd_m2) : std::nullopt, algebra::unit::luminance,
+     "luminance, the mean over the disc" + where);
+  is(prefix + "illuminance_lx", disc ? std::optional(disc->illuminance_lx) : std::nullopt,
+     algebra::unit::illuminance, "illuminance on a surface that faces the Moon" + where);
+}
 
 /// Given  texture  plate carrée, the photometer's channels
 ///        from_m   the place it is seen from, geocentric, GCRS axes; the Earth's centre
 DiscBrightness measured(const Photometer& photometer, const texture::Image& texture,
                         const almanac::SkyState& sky, const glm::dvec3& from_m = {0, 0, 0});
+
+/// Irradiance from the whole Moon in each channel:
+///
+///     E = Σ L cos e ΔA / d²        e: emission angle, d: texel to the place
+///
+/// Given     texture  plate carrée, any channels of radiance or luminance
+///           from_m   the place it is seen from, geocentric, GCRS axes; the Earth's centre
+/// Returned  [channel]  irradiance or illuminance on a surface that faces the Moon
+std::vector<double> irradiance_of_disc(const texture::Image& texture, const almanac::SkyState& sky,
+                                       const glm::dvec3& from_m = {0, 0, 0});
+
+/// Solid angle of the Moon from a place [sr], summed over the texels of irradiance_of_disc.
+double solid_angle_of_disc(std::size_t rows, const almanac::SkyState& sky,
+                           const glm::dvec3& from_m = {0, 0, 0});
+
+/// Danjon's L of a totally eclipsed Moon, by its visual magnitude.
+///
+///     m = 4.2 − 3 L + (L/2)²
+///
+/// Returned  L, held to 0 to 4
+/// Accuracy  0.4 between observers
+/// Source    H. C. Vital's correlation of observers' estimates (REA Brazil, 2004 to 2015)
+double danjon_estimate(double visual_magnitude);
 
 }  // namespace coppermoon::uses

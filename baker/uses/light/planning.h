@@ -70,10 +70,9 @@ struct ScatteredInCheck {
   bool counts = false;  ///< where none was computed, it is part of the error
 };
 
-/// Largest relative error of luminance at sample places, against light with all terms and finer settings
-/// (plan::finer). Places lie evenly over the disc, where direct light begins, and where light is least smooth, at the
-/// depth farthest from all planes. Within one node of the look-up (1 km) of the beginning of all light, the error is
-/// no measure.
+/// Largest relative error of luminance at sample places, against light with all terms and finer settings (plan::finer).
+/// Places lie evenly over the disc, where direct light begins, and where light is least smooth, at the depth farthest
+/// from all planes. Within one node of the look-up (1 km) of the beginning of all light, the error is no measure.
 ///
 /// Given  luminance  one channel, luminance_weights
 double error_found(const ShadowedMoon& moon, const plan::Work& work,

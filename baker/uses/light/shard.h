@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 
 namespace coppermoon::uses {
@@ -14,8 +13,5 @@ struct Shard {
 
 /// Throws  Error  when the text is no such part, N at most 100000
 Shard shard_from(const std::string& text);
-
-/// Whole number of at most nine digits, without a sign.
-std::optional<std::size_t> whole_number(const std::string& text);
 
 }  // namespace coppermoon::uses

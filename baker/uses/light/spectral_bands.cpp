@@ -17,7 +17,7 @@ namespace coppermoon::uses {
 namespace {
 
 constexpr int bands = 400;
-constexpr double first_nm = 380, width_nm = 1;
+constexpr double first_nm = 380, width_of_band_nm = 1;
 
 std::vector<double> lunar_reflectance() {
   const auto xyz = colour::xyz_weights(band_edges_nm());
@@ -58,21 +58,32 @@ double transmittance(const std::optional<atmosphere::Sightline>& sightline, doub
 
 std::vector<double> band_edges_nm() {
   std::vector<double> edges;
-  for (int i = 0; i <= bands; ++i) edges.push_back(first_nm + width_nm * i);
+  for (int i = 0; i <= bands; ++i) edges.push_back(first_nm + width_of_band_nm * i);
   return edges;
 }
 
 std::vector<double> band_centres_nm() {
   std::vector<double> centres;
-  for (int i = 0; i < bands; ++i) centres.push_back(first_nm + width_nm * (i + 0.5));
+  for (int i = 0; i < bands; ++i) centres.push_back(first_nm + width_of_band_nm * (i + 0.5));
   return centres;
+}
+
+BroadBands broad_bands(double width_nm) {
+  constexpr double last_nm = first_nm + bands * width_of_band_nm;
+  BroadBands all;
+  for (double edge = first_nm; edge <= last_nm; edge += width_nm) all.edges_nm.push_back(edge);
+  for (std::size_t b = 0; b + 1 < all.edges_nm.size(); ++b)
+    all.centres_nm.push_back((all.edges_nm[b] + all.edges_nm[b + 1]) / 2);
+  all.sunlight = photons::solar_irradiance(all.edges_nm);
+  all.channels = colour::channel_weights(picture_space, all.edges_nm);
+  return all;
 }
 
 std::vector<double> wavelengths_nm(int count) {
   algebra::require_within("wavelengths", count, 1, bands);
   std::vector<double> middles;
   for (int i = 0; i < count; ++i)
-    middles.push_back(first_nm + bands * width_nm * (i + 0.5) / count);
+    middles.push_back(first_nm + bands * width_of_band_nm * (i + 0.5) / count);
   return middles;
 }
 

@@ -18,6 +18,17 @@ constexpr auto picture_space = colour::WorkingSpace::linear_rec709;
 std::vector<double> band_edges_nm();
 std::vector<double> band_centres_nm();
 
+/// Bands of one width, in which air and the spectra of stars change little.
+struct BroadBands {
+  std::vector<double> edges_nm, centres_nm;  ///< from 380 to 780 nm
+  std::vector<double> sunlight;              ///< in each [W/m²]
+  algebra::Grid<double>
+      channels;  ///< of picture_space, as the CIE observer sees it: [channel][band]
+};
+
+/// Given  width_nm  a divisor of 400
+BroadBands broad_bands(double width_nm);
+
 /// Wavelengths at which light is computed: middles of `count` even bands from 380 to 780 nm, 1 to 400.
 ///
 /// Throws  Error  when the count is outside its range

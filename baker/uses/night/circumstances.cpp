@@ -11,17 +11,12 @@
 #include <numbers>
 #include <utility>
 
-#include "uses/picture/horizon_crossings.h"
 #include "uses/picture/view.h"
 
 namespace coppermoon::uses {
 namespace {
 
 using almanac::Instant;
-
-double height(const almanac::Observer& place, const Instant& when) {
-  return algebra::in_radians(above_horizon(place, almanac::sky_at(when)));
-}
 
 /// Position angle of a contact: the limb's point nearest to the shadow's axis, or, of totality, the farthest.
 algebra::Angle contact_angle(const std::string& name, const almanac::SkyState& sky) {
@@ -78,7 +73,7 @@ Share seen_between(const Circumstances& night, const Instant& from, const Instan
 std::vector<Span> up_spans(const Circumstances& night) {
   const auto &first = *night.eclipse.contacts.P1, &last = *night.eclipse.contacts.P4;
   std::vector<Span> spans;
-  if (height(night.place, first) > 0) spans.emplace_back(first, last);
+  if (moment_at(night.place, {}, almanac::sky_at(first)).up) spans.emplace_back(first, last);
   for (const auto& moment : night.moments) {
     if (!moment.name.starts_with("moon") || !holds({first, last}, moment.when)) continue;
     if (moment.name == "moonrise")

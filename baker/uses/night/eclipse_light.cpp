@@ -10,7 +10,7 @@
 #include "atmosphere/eye_contrast.h"
 #include "colour/working_space.h"
 #include "texture/resize.h"
-#include "uses/light/photometric_bands.h"
+#include "uses/light/photometer.h"
 #include "uses/light/spectral_bands.h"
 
 namespace coppermoon::uses {
@@ -20,35 +20,37 @@ using almanac::Instant;
 
 constexpr double brighter_than_any_sky = std::numeric_limits<double>::infinity();
 
-constexpr double between_skies_s = 240, between_looks_s = 300;
-
-std::vector<almanac::SkyState> skies_of(const eclipse::Eclipse& eclipse) {
-  const double seconds = almanac::seconds_between(*eclipse.contacts.P1, *eclipse.contacts.P4);
-  std::vector<almanac::SkyState> skies;
-  for (double s = 0; s < seconds + between_skies_s; s += between_skies_s)
-    skies.push_back(almanac::sky_at(almanac::later(*eclipse.contacts.P1, s)));
-  return skies;
-}
-
 algebra::Grid<float> small_albedo(MoonRequest moon, std::size_t rows) {
   moon.texture_width = 2 * rows;
   return texture::resized(normal_albedo(moon), rows);
 }
 
-/// Spans of a property between two moments, whose edges are found to 10 s.
+Moonlight light_through(const eclipse::Eclipse& eclipse, const MoonRequest& moon,
+                        const algebra::Progress& progress = {}) {
+  const auto skies = skies_between(*eclipse.contacts.P1, *eclipse.contacts.P4);
+  return light_on_the_way(moon.light, moon_on_its_way(moon.light, skies), {.error_told = false},
+                          progress);
+}
+
+/// Spans of a property of the sky between two moments. It is looked for every 5 minutes by the quick theory of the Moon,
+/// and the edges are found to 10 s by the full one.
 template <class Property>
 std::vector<Span> spans_of(const Span& whole, const Property& holds) {
+  using enum almanac::LunarTheory;
+  constexpr double between_looks_s = 300;
   const double seconds = almanac::seconds_between(whole.first, whole.second);
-  const auto at = [&](double s) { return holds(almanac::later(whole.first, s)); };
+  const auto at = [&](double s, almanac::LunarTheory theory) {
+    return holds(almanac::sky_at(almanac::later(whole.first, s), theory));
+  };
   std::vector<Span> spans;
   bool before = false;
   for (double s = 0; s < seconds + between_looks_s; s += between_looks_s) {
     double to = std::min(s, seconds), from = std::max(0., s - between_looks_s);
-    const bool now = at(to);
+    const bool now = at(to, moon98);
     if (now != before && s > 0)
       while (to - from > 10) {
         const double middle = (from + to) / 2;
-        (at(middle) == before ? from : to) = middle;
+        (at(middle, elp_2000_82b) == before ? from : to) = middle;
       }
     if (now && !before) spans.emplace_back(almanac::later(whole.first, to), whole.second);
     if (!now && before) spans.back().second = almanac::later(whole.first, from);
@@ -80,22 +82,18 @@ void add_edges(Circumstances& night) {
 
 EclipseLight::EclipseLight(const eclipse::Eclipse& eclipse, const MoonRequest& moon,
                            const algebra::Progress& progress)
-    : EclipseLight(eclipse, moon, small_albedo(moon, 180), progress) {}
+    : EclipseLight(moon, small_albedo(moon, 180), light_through(eclipse, moon, progress)) {}
 
-EclipseLight::EclipseLight(const eclipse::Eclipse& eclipse, const MoonRequest& moon,
-                           algebra::Grid<float> albedo, const algebra::Progress& progress)
+EclipseLight::EclipseLight(const MoonRequest& moon, algebra::Grid<float> albedo, Moonlight light)
     : moon_(moon),
       albedo_(std::move(albedo)),
-      light_(light_on_the_way(moon.light, moon_on_its_way(moon.light, skies_of(eclipse)),
-                              {.error_told = false}, progress)),
+      light_(std::move(light)),
       survey_(moon, albedo_, light_) {}
 
-texture::Image colours_of(const MoonRequest& moon, const algebra::Grid<float>& albedo,
-                          const Moonlight& light, const almanac::SkyState& sky,
-                          const std::optional<atmosphere::Sightline>& through) {
-  const auto response =
-      colour::channel_weights(colour::WorkingSpace::linear_rec709, band_edges_nm());
-  return MoonSurvey(moon, albedo, light,
+texture::Image EclipseLight::colours(const almanac::SkyState& sky,
+                                     const std::optional<atmosphere::Sightline>& through) const {
+  const auto response = colour::channel_weights(picture_space, band_edges_nm());
+  return MoonSurvey(moon_, albedo_, light_,
                     {{"R", "G", "B"}, moonlight_weights(response, through), {}})
       .texture(sky);
 }
@@ -129,8 +127,7 @@ Circumstances as_seen(Circumstances night, const BrightnessAt& brightness,
                       const ViewRequest& view) {
   night.seen.clear();
   for (const auto& up : night.up)
-    for (const auto& span : spans_of(up, [&](const Instant& when) {
-           const auto sky = almanac::sky_at(when);
+    for (const auto& span : spans_of(up, [&](const almanac::SkyState& sky) {
            const auto above = brightness(sky);
            return above.mean_luminance_cd_m2 == brighter_than_any_sky ||
                   moon_and_sky(above, sky, view).stands_out();
@@ -155,7 +152,7 @@ Circumstances seen_circumstances(const eclipse::Eclipse& eclipse, const almanac:
       return {{}, brighter_than_any_sky, 0.};
     MoonRequest moon;
     moon.light.wish.tolerance = 0.05;
-    if (!light) light.emplace(eclipse, moon, usual_albedo);
+    if (!light) light.emplace(moon, usual_albedo, light_through(eclipse, moon));
     return light->brightness(sky);
   };
   constexpr double longest_h = 3.5;  // from P1 to the greatest phase

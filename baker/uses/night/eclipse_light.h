@@ -5,16 +5,11 @@
 #include <optional>
 
 #include "uses/night/circumstances.h"
+#include "uses/picture/brightness.h"
 #include "uses/picture/clear_sky.h"
-#include "uses/picture/moon_survey.h"
 #include "uses/picture/view.h"
 
 namespace coppermoon::uses {
-
-/// Texture of a Moon in linear Rec.709 [cd/m²], through an observer's air where it is given.
-texture::Image colours_of(const MoonRequest& moon, const algebra::Grid<float>& albedo,
-                          const Moonlight& light, const almanac::SkyState& sky,
-                          const std::optional<atmosphere::Sightline>& through);
 
 /// Moon throughout an eclipse, from one simulation.
 class EclipseLight {
@@ -23,16 +18,15 @@ class EclipseLight {
   EclipseLight(const eclipse::Eclipse& eclipse, const MoonRequest& moon,
                const algebra::Progress& progress = {});
   /// Given  albedo  of the whole Moon, normal_albedo in few rows
-  EclipseLight(const eclipse::Eclipse& eclipse, const MoonRequest& moon,
-               algebra::Grid<float> albedo, const algebra::Progress& progress = {});
+  ///        light   on the Moon's way, or at the moment that is asked for
+  EclipseLight(const MoonRequest& moon, algebra::Grid<float> albedo, Moonlight light);
 
   const algebra::Grid<float>& albedo() const { return albedo_; }
   DiscBrightness brightness(const almanac::SkyState& sky) const { return survey_.brightness(sky); }
 
+  /// Texture in linear Rec.709 [cd/m²], through an observer's air where it is given.
   texture::Image colours(const almanac::SkyState& sky,
-                         const std::optional<atmosphere::Sightline>& through) const {
-    return colours_of(moon_, albedo_, light_, sky, through);
-  }
+                         const std::optional<atmosphere::Sightline>& through) const;
 
  private:
   MoonRequest moon_;

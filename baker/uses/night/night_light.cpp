@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "algebra/error.h"
+#include "atmosphere/sky_luminance.h"
 #include "eclipse/shadow_axis.h"
-#include "uses/night/star_limit.h"
 #include "uses/picture/brightness.h"
 #include "uses/picture/clear_sky.h"
 
@@ -32,17 +32,15 @@ constexpr double least_umbra_share = 0.02;
 /// Between a contact and the exposure just before or after it.
 constexpr double beside_contact_s = 60;
 
-using Colour = std::array<double, 3>;
-
 /// Colours of a texture on the disc that faces the Earth, evenly over it.
-std::vector<Colour> disc_of(const texture::Image& texture, const almanac::SkyState& sky) {
+std::vector<Rgb> disc_of(const texture::Image& texture, const almanac::SkyState& sky) {
   constexpr int side = 120;
   constexpr double edge = 0.995;  // texels nearer to the limb are seen edge on
   const auto towards = almanac::selenographic_direction(sky.sub_earth),
              east = glm::normalize(glm::cross(glm::dvec3(0, 0, 1), towards)),
              north = glm::cross(towards, east);
   const auto rows = static_cast<double>(texture.height);
-  std::vector<Colour> disc;
+  std::vector<Rgb> disc;
   for (int i = 0; i < side; ++i)
     for (int j = 0; j < side; ++j) {
       const double x = (2 * i + 1.) / side - 1, y = (2 * j + 1.) / side - 1, r2 = x * x + y * y;
@@ -59,8 +57,8 @@ std::vector<Colour> disc_of(const texture::Image& texture, const almanac::SkySta
 
 /// What an exposure is made for: the disc through the air, the sky before it.
 struct Exposed {
-  std::vector<Colour> disc;
-  Colour sky;
+  std::vector<Rgb> disc;
+  Rgb sky;
   double spread;  ///< factor of light in the umbra by its standard error
   bool total;     ///< all of the disc is in the umbra
 };
@@ -83,24 +81,24 @@ class Exposer {
 
   /// Fills in the times of a phase.
   void expose(PhaseExposure& phase, const Exposed& seen) const {
-    std::vector<Colour> dark;
+    std::vector<Rgb> dark;
     const double brightest = brightest_of(seen.disc, 0.99);
     for (const auto& colour : seen.disc)
       if (std::ranges::max(colour) < brightest / umbra_contrast) dark.push_back(colour);
     const bool partial = static_cast<double>(dark.size()) >
                          least_umbra_share * static_cast<double>(seen.disc.size());
     phase.lit = limited(phase, seen.sky, seen.total ? seen.spread : 1,
-                        [&](double factor, Colour sky) { return lit_s(seen.disc, factor, sky); });
+                        [&](double factor, Rgb sky) { return lit_s(seen.disc, factor, sky); });
     if (!partial) return;
     const double median = brightest_of(dark, 0.5);
-    phase.shadow = limited(phase, seen.sky, seen.spread, [&](double factor, const Colour& sky) {
+    phase.shadow = limited(phase, seen.sky, seen.spread, [&](double factor, const Rgb& sky) {
       return umbra_level / ((factor * median + std::ranges::max(sky)) * per_second_);
     });
   }
 
  private:
   /// Brightest channel below which a share of colours lies.
-  static double brightest_of(const std::vector<Colour>& colours, double share) {
+  static double brightest_of(const std::vector<Rgb>& colours, double share) {
     std::vector<double> levels;
     for (const auto& colour : colours) levels.push_back(std::ranges::max(colour));
     const auto place =
@@ -109,7 +107,7 @@ class Exposer {
     return *place;
   }
 
-  double lit_s(const std::vector<Colour>& disc, double factor, const Colour& sky) const {
+  double lit_s(const std::vector<Rgb>& disc, double factor, const Rgb& sky) const {
     texture::Image frame(disc.size(), 1, {"R", "G", "B"});
     for (std::size_t i = 0; i < disc.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k)
@@ -119,7 +117,7 @@ class Exposer {
 
   /// Times of a part within what trailing and the sky allow; none where it is longer than the longest.
   template <class Time>
-  std::optional<PartExposure> limited(PhaseExposure& phase, const Colour& sky, double spread,
+  std::optional<PartExposure> limited(PhaseExposure& phase, const Rgb& sky, double spread,
                                       const Time& time_of) const {
     constexpr double third_of_a_stop = 1.26;
     const double most_s = most_sky_level / (std::ranges::max(sky) * per_second_),
@@ -140,14 +138,15 @@ class Exposer {
   double longest_s_, per_second_ = 1, f_number_ = 1;
 };
 
-/// Exposure of a phase, of a Moon and its light seen at one moment.
-PhaseExposure exposure_of(const std::string& name, const Instant& when, const DiscBrightness& above,
-                          const texture::Image& colours, const ViewRequest& view,
-                          const Exposer& exposer, double spread, bool total) {
+/// Exposure of a phase, of a Moon seen at one moment.
+PhaseExposure exposure_of(const std::string& name, const Instant& when, const EclipseLight& light,
+                          const ViewRequest& view, const Exposer& exposer, double spread,
+                          bool total) {
   const auto sky = almanac::sky_at(when);
-  const auto seen = moon_and_sky(above, sky, view);
+  const auto seen = moon_and_sky(light.brightness(sky), sky, view);
   PhaseExposure phase{name, when, seen.stands_out(), seen.sky_cd_m2 / seen.seen_cd_m2};
   if (!phase.seen) return phase;
+  const auto colours = light.colours(sky, view_of(view, sky).sightline);
   exposer.expose(phase, {disc_of(colours, sky), seen.sky_light, spread, total});
   return phase;
 }
@@ -175,9 +174,7 @@ bool wholly_up(const almanac::Observer& place, const Instant& when) {
 /// Share of the Moon's diameter in the umbra, by the axis distance since U1.
 double immersed(const Instant& u1, const Instant& when) {
   const auto distance_m = [](const Instant& then) {
-    const auto sky = almanac::sky_at(then);
-    return algebra::in_metres(
-        eclipse::place_in_shadow(eclipse::shadow_axis(sky), sky.moon_m).axis_distance);
+    return algebra::in_metres(eclipse::moon_in_shadow(almanac::sky_at(then)).axis_distance);
   };
   return (distance_m(u1) - distance_m(when)) / (2 * algebra::in_metres(almanac::lunar_radius));
 }
@@ -242,7 +239,6 @@ std::vector<PhaseExposure> danjon_exposures(const Instant& greatest, const MoonR
                                             const algebra::Progress& progress) {
   constexpr std::size_t steps = 5;
   const auto sky = almanac::sky_at(greatest);
-  const auto through = view_of(view, sky).sightline;
   std::vector<MoonRequest> requests(steps, moon);
   std::vector<ShadowedMoon> moons;
   for (std::size_t i = 0; i < steps; ++i) {
@@ -254,11 +250,11 @@ std::vector<PhaseExposure> danjon_exposures(const Instant& greatest, const MoonR
   tbb::parallel_for(
       std::size_t{0}, steps,
       [&](std::size_t i) {
-        const auto lit = light_on_the_way(requests[i].light, moons[i], {.error_told = false});
-        exposures[i] = exposure_of(
-            fmt::format("middle of totality, L = {}", steps - 1 - i), greatest,
-            MoonSurvey(requests[i], light.albedo(), lit).brightness(sky),
-            colours_of(requests[i], light.albedo(), lit, sky, through), view, exposer, 1, true);
+        const EclipseLight lit(
+            requests[i], light.albedo(),
+            light_on_the_way(requests[i].light, moons[i], {.error_told = false}));
+        exposures[i] = exposure_of(fmt::format("middle of totality, L = {}", steps - 1 - i),
+                                   greatest, lit, view, exposer, 1, true);
         if (progress) progress(static_cast<double>(++done) / steps);
       },
       tbb::simple_partitioner());
@@ -299,12 +295,9 @@ NightLights night_lights(const Circumstances& night, const MoonRequest& moon,
   if (lights.night.seen.empty()) return lights;
   const double spread = std::pow(10, 0.4 * lights.V_error.value_or(0));
   for (const auto& [phase, when] : phases_of(lights.night)) {
-    const auto sky = almanac::sky_at(when);
     const bool total =
         eclipse.contacts.U2 && holds({*eclipse.contacts.U2, *eclipse.contacts.U3}, when);
-    lights.exposures.push_back(exposure_of(phase, when, light.brightness(sky),
-                                           light.colours(sky, view_of(view, sky).sightline), view,
-                                           exposer, spread, total));
+    lights.exposures.push_back(exposure_of(phase, when, light, view, exposer, spread, total));
     if (!steps || phase != "middle of totality") continue;
     for (auto& each :
          danjon_exposures(when, moon, light, view, exposer, part_of(progress, done, 1)))
@@ -341,6 +334,12 @@ double trailing_time_s(const Circumstances& night, double focal_length_mm, doubl
   const double turned =
       glm::distance(toward_moon(greatest), toward_moon(almanac::later(greatest, seconds)));
   return trail_um * 1e-3 / (focal_length_mm * turned / seconds);
+}
+
+double faintest_star(double sky_cd_m2) {
+  const double zero_point = atmosphere::luminance_of_magnitude_cd_m2(0),
+               magnitude = -2.5 * std::log10(sky_cd_m2 / zero_point);
+  return 7.93 - 5 * std::log10(1 + std::pow(10, 4.316 - magnitude / 5));
 }
 
 }  // namespace coppermoon::uses

@@ -76,4 +76,13 @@ double camera_time_s(double seconds);
 /// Throws  Error     when the focal length is outside 1 to 1e6 mm
 double trailing_time_s(const Circumstances& night, double focal_length_mm, double trail_um);
 
+/// V magnitude of the faintest star that the naked eye sees near the zenith.
+///
+///     7.93 − 5 lg(1 + 10^(4.316 − B/5))        B: the sky's magnitude for each square arc second
+///
+/// Given     sky_cd_m2  luminance of the sky, above 0
+/// Accuracy  0.5 between observers
+/// Source    Schaefer (1990), PASP 102, 212, after Knoll, Tousey & Hulburt (1946)
+double faintest_star(double sky_cd_m2);
+
 }  // namespace coppermoon::uses

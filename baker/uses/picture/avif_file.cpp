@@ -54,7 +54,7 @@ void write_avif(const std::filesystem::path& file, const texture::Image& picture
                       .package = "libavif-bin",
                       .folder = folder.path()});
   const auto made = folder.path() / "picture.avif";
-  files::require_whole(made, "avifenc");
+  files::require_whole(files::opened(made), "avifenc");
   files::write_whole(file, files::bytes_of(made));
 }
 

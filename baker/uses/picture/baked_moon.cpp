@@ -17,8 +17,8 @@
 
 #include "algebra/error.h"
 #include "files/name_to_share.h"
-#include "uses/light/disc_brightness.h"
 #include "uses/light/header.h"
+#include "uses/light/photometer.h"
 #include "uses/light/spectral_bands.h"
 #include "uses/picture/texture_recipe.h"
 
@@ -61,11 +61,13 @@ texture::Attributes attitude(const LitMoon& moon) {
   return attributes;
 }
 
-texture::Attributes header(const LitMoon& moon, const TextureContent& content) {
+texture::Attributes header(const LitMoon& moon, const TextureContent& content,
+                           const Baking& baking) {
   auto attributes = scene_linear_header(space_of(content), moon.sky.when);
   attributes["coppermoon:albedo_map"] = files::name_to_share(moon.request.albedo_map);
   attributes["coppermoon:relative_error"] = static_cast<float>(moon.light->error_found);
-  attributes["coppermoon:recipe"] = texture_recipe(moon, content);
+  attributes["coppermoon:recipe"] =
+      baking.recipe ? baking.recipe(moon, content) : texture_recipe(moon, content);
   attributes.merge(attitude(moon));
   if (content.spectral_nm) {
     attributes["spectralLayoutVersion"] = std::string("1.0");
@@ -167,14 +169,9 @@ texture::Rows with_bands(texture::Rows lit, std::size_t looked_up, std::vector<B
   };
 }
 
-/// Weights for the bake: for the reddest and the bluest ground where it differs by place.
-algebra::Grid<double> of_grounds(const LitMoon& moon, const algebra::Grid<double>& weights) {
-  if (!moon.ground) return weights;
-  return reddest_and_bluest(weights, wavelengths_nm(static_cast<int>(weights.columns())));
-}
-
 shadow::Lookup light_in(const LitMoon& moon, const Channels& channels, colour::WorkingSpace space) {
-  const auto weights = of_grounds(moon, channels.weights);
+  const auto weights = of_ground(moon.ground.get(), channels.weights,
+                                 wavelengths_nm(static_cast<int>(channels.weights.columns())));
   auto light = moon.within ? moon.light->in_sums(weights, *moon.within, channels.light)
                            : shadow::Lookup(weights, channels.light);
   light.transform([&](auto values) {
@@ -217,10 +214,10 @@ texture::Part part(const LitMoon& moon, const std::string& name, const Channels&
 /// Colours of the ground under sunlight over those of white: of the mean Moon, or of the reddest and the bluest.
 std::vector<double> ground_colours(const LitMoon& moon, const algebra::Grid<double>& of_moon,
                                    const algebra::Grid<double>& of_white) {
-  const auto of_ground = moon.ground ? reddest_and_bluest(of_moon, band_centres_nm()) : of_moon;
+  const auto seen = of_ground(moon.ground.get(), of_moon, band_centres_nm());
   std::vector<double> colours_of_grounds;
-  for (std::size_t c = 0; c < of_ground.rows(); ++c) {
-    const auto ground = of_ground.row(c), white = of_white.row(c % of_white.rows());
+  for (std::size_t c = 0; c < seen.rows(); ++c) {
+    const auto ground = seen.row(c), white = of_white.row(c % of_white.rows());
     colours_of_grounds.push_back(std::reduce(ground.begin(), ground.end()) /
                                  std::reduce(white.begin(), white.end()));
   }
@@ -299,7 +296,7 @@ BakedMoon baked(const LitMoon& moon, const TextureContent& content, const Baking
       colour::channel_weights(space, band_edges_nm(), moon.request.response.value_or(""));
   const auto of_moon = moonlight_weights(response, moon.sightline);
   const int wavelengths = moon.light->plan.work.bands;
-  BakedMoon made{{}, header(moon, content)};
+  BakedMoon made{{}, header(moon, content, baking)};
   const auto add = [&](const std::string& name, const Channels& channels, shadow::Lookup light,
                        const Held& held) {
     made.parts.push_back(part(moon, name, channels, std::move(light), held, baking));

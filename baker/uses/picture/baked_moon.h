@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -61,6 +62,8 @@ struct BakedMoon {
 struct Baking {
   texture::Extent extent = texture::Extent::whole;
   algebra::Progress progress = {};  ///< of rows being baked
+  /// Recipe for the header; without: texture_recipe
+  std::function<std::string(const LitMoon&, const TextureContent&)> recipe = {};
 };
 
 /// Texture in its space [cd/m²], with the parts asked for:
@@ -76,7 +79,7 @@ struct Baking {
 /// Ground by place colours all but irradiance, which is the luminance over the reflectance.
 ///
 /// Colours outside the space are brought into it, in each part separately. The attribute `coppermoon:recipe` has the
-/// recipe that bakes the same texels again (texture_recipe).
+/// recipe that bakes the same texels again.
 BakedMoon baked(const LitMoon& moon, const TextureContent& content, const Baking& baking = {});
 
 /// Illuminance by the whole Moon on a surface that faces it, at its observer, through the sightline, in the channels of

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <functional>
+#include <iterator>
 
 #include "algebra/error.h"
 #include "almanac/instant.h"
@@ -13,8 +15,7 @@
 #include "eclipse/contacts.h"
 #include "texture/bake.h"
 #include "texture/resize.h"
-#include "uses/light/disc_brightness.h"
-#include "uses/light/photometric_bands.h"
+#include "uses/light/photometer.h"
 #include "uses/light/spectral_bands.h"
 #include "uses/picture/clear_sky.h"
 
@@ -28,66 +29,68 @@ bool in_totality(const almanac::Instant& when) {
          almanac::seconds_between(when, *eclipse->contacts.U3) >= 0;
 }
 
-constexpr std::size_t texture_rows = 360;
+/// Texture of a Moon in the channels of a meter.
+texture::Image texture_in(const Photometer& meter, const LitMoon& moon, std::size_t rows) {
+  const auto weights = of_ground(moon.ground.get(), meter.weights, band_centres_nm());
+  const auto light =
+      moon.within
+          ? moon.light->in_sums(at_wavelengths(weights, moon.light->plan.work.bands), *moon.within)
+          : shadow::Lookup(weights);
+  return texture::bake({*moon.albedo, moon.sky, light, moon.ground.get()}, meter.channels, rows,
+                       moon.request.photometry);
+}
 
-/// A Moon's light and ground, to be seen in any channels at its moments.
-struct Measurable {
-  const MoonRequest& moon;
-  const ViewRequest& view;
-  Moonlight light;
-  algebra::Grid<float> albedo;
-  bool on_its_way = false;  ///< the light is that of a whole eclipse
-  std::shared_ptr<const surface::Ground> ground = ground_of(moon, albedo);
+/// Moon whose albedo has as many rows as its textures get.
+LitMoon measurable(const MoonRequest& request, const almanac::SkyState& sky, Moonlight light,
+                   std::size_t rows) {
+  const auto albedo =
+      std::make_shared<const algebra::Grid<float>>(texture::resized(normal_albedo(request), rows));
+  const auto kept = std::make_shared<const Moonlight>(std::move(light));
+  return {request, sky, albedo, ground_of(request, *albedo), kept, kept->range};
+}
 
-  texture::Image in(const Photometer& meter, const almanac::SkyState& sky) const {
-    const auto weights =
-        ground ? reddest_and_bluest(meter.weights, band_centres_nm()) : meter.weights;
-    const auto lookup = [&] {
-      if (!on_its_way) return light.in_channels(weights);
-      const auto within = range_at(light, sky);
-      return within ? light.in_sums(at_wavelengths(weights, light.plan.work.bands), *within)
-                    : shadow::Lookup(weights);
-    };
-    return texture::bake({albedo, sky, lookup(), ground.get()}, meter.channels, albedo.rows(),
-                         moon.photometry);
-  }
-
-  MoonBrightness at(const almanac::SkyState& sky) const;
-};
-
-BrightnessSeen seen_of(const Measurable& moon, const texture::Image& above,
-                       const almanac::SkyState& sky, const MoonBrightness& brightness) {
-  const auto from = view_of(moon.view, sky);
+BrightnessSeen seen_of(const LitMoon& moon, const ViewRequest& view, const texture::Image& above,
+                       std::span<const double> magnitudes) {
+  const auto& sky = moon.sky;
+  const auto from = view_of(view, sky);
   const auto& observer = *from.observer;
   const auto from_m = almanac::view_from(observer, sky).position_m;
   const auto meter = photometer(from.sightline);
   const auto place = apparent_place(observer, sky);
-  const ClearSky clear(observer, sky, air_over(observer, moon.view),
-                       brightness.disc.magnitudes[V_band]);
-  BrightnessSeen seen{place,
-                      measured(meter, from.sightline ? moon.in(meter, sky) : above, sky, from_m),
-                      {},
-                      clear.towards(in_sky(place.altitude, place.azimuth)).sum()};
+  const ClearSky clear(observer, sky, air_over(observer, view), magnitudes[V_band]);
+  BrightnessSeen seen{
+      observer,
+      place,
+      measured(meter, from.sightline ? texture_in(meter, moon, moon.albedo->rows()) : above, sky,
+               from_m),
+      {},
+      clear.towards(in_sky(place.altitude, place.azimuth)).sum()};
   const auto undimmed = measured(meter, above, sky, from_m);
-  for (std::size_t k = 0; k < undimmed.magnitudes.size(); ++k)
-    seen.extinction_mag.push_back(seen.disc.magnitudes[k] - undimmed.magnitudes[k]);
+  std::ranges::transform(seen.disc.magnitudes, undimmed.magnitudes,
+                         std::back_inserter(seen.extinction_mag), std::minus());
   return seen;
 }
 
-MoonBrightness Measurable::at(const almanac::SkyState& sky) const {
+MoonBrightness brightness_of(const LitMoon& moon, const ViewRequest& view) {
+  const auto& sky = moon.sky;
   const auto meter = photometer();
-  const auto texture = in(meter, sky);
-  MoonBrightness brightness{measured(meter, texture, sky), {}};
-  if (!moon.unshadowed && in_totality(sky.when)) {
-    brightness.danjon = danjon_estimate(brightness.disc.magnitudes[V_band]);
-    brightness.V_error = totality_error_mag(moon.light.air, almanac::year_of(sky.when));
+  const auto texture = texture_in(meter, moon, moon.albedo->rows());
+  MoonBrightness brightness{sky.when, measured(meter, texture, sky), {}};
+  const auto& magnitudes = brightness.disc.magnitudes;
+  if (!moon.request.unshadowed && in_totality(sky.when)) {
+    brightness.danjon = danjon_estimate(magnitudes[V_band]);
+    brightness.V_error = totality_error_mag(moon.request.light.air, almanac::year_of(sky.when));
   }
   if (view.observer && moon_is_up(view, sky))
-    brightness.seen = seen_of(*this, texture, sky, brightness);
+    brightness.seen = seen_of(moon, view, texture, magnitudes);
   return brightness;
 }
 
 }  // namespace
+
+double level_illuminance_lx(const BrightnessSeen& seen) {
+  return seen.disc.illuminance_lx * std::max(0., std::sin(algebra::in_radians(seen.moon.altitude)));
+}
 
 std::optional<double> totality_error_mag(const Air& air, double year) {
   const bool dated = air.atmosphere == "standard" || air.atmosphere == "calibrated";
@@ -99,26 +102,20 @@ std::optional<double> totality_error_mag(const Air& air, double year) {
 std::vector<double> magnitudes_above(const LitMoon& moon) {
   constexpr std::size_t rows = 180;
   const auto meter = photometer();
-  const auto weights =
-      moon.ground ? reddest_and_bluest(meter.weights, band_centres_nm()) : meter.weights;
-  const auto light =
-      moon.within
-          ? moon.light->in_sums(at_wavelengths(weights, moon.light->plan.work.bands), *moon.within)
-          : shadow::Lookup(weights);
-  const auto texture = texture::bake({*moon.albedo, moon.sky, light, moon.ground.get()},
-                                     meter.channels, rows, moon.request.photometry);
-  return measured(meter, texture, moon.sky).magnitudes;
+  return measured(meter, texture_in(meter, moon, rows), moon.sky).magnitudes;
 }
 
 MoonBrightness brightness_of(const MoonRequest& moon, const almanac::SkyState& sky,
                              const ViewRequest& view, const algebra::Progress& progress) {
+  constexpr std::size_t rows = 360;
   view_of(view, sky);  // refuses a Moon below the horizon, before the work
-  const Measurable measurable{
-      moon, view,
-      moon.unshadowed ? unshadowed_light(moon.light, sky)
-                      : light_on_the_moon(moon.light, sky, {.error_told = false}, progress),
-      texture::resized(normal_albedo(moon), texture_rows)};
-  return measurable.at(sky);
+  return brightness_of(
+      measurable(moon, sky,
+                 moon.unshadowed
+                     ? unshadowed_light(moon.light, sky)
+                     : light_on_the_moon(moon.light, sky, {.error_told = false}, progress),
+                 rows),
+      view);
 }
 
 std::vector<almanac::Instant> moments_between(const almanac::Instant& from,
@@ -137,46 +134,42 @@ LightCurve light_curve(const MoonRequest& moon, const std::vector<almanac::Insta
   constexpr std::size_t rows = 180;
   if (view.observer) air_over(*view.observer, view);  // refuses an air that is not sound
   const auto skies = skies_between(moments.front(), moments.back());
-  const Measurable measurable{moon, view,
-                              moon.unshadowed
-                                  ? unshadowed_light(moon.light, skies.front())
-                                  : light_on_the_way(moon.light, moon_on_its_way(moon.light, skies),
-                                                     {.error_told = false}, progress),
-                              texture::resized(normal_albedo(moon), rows), !moon.unshadowed};
-  std::vector<MoonBrightness> all(moments.size());
-  tbb::parallel_for(std::size_t{0}, moments.size(),
-                    [&](std::size_t i) { all[i] = measurable.at(almanac::sky_at(moments[i])); });
-  LightCurve curve{moments, {}};
-  const auto add = [&](const std::string& name, const auto& number_of) {
-    auto& numbers = curve.columns.emplace_back(name, std::vector<double>{}).second;
-    for (const auto& each : all) numbers.push_back(number_of(each));
-  };
-  const auto add_disc = [&](const std::string& prefix, const auto& add_number) {
-    for (std::size_t k = 0; k < photometric_bands().size(); ++k)
-      add_number(fmt::format("{}{}_magnitude", prefix, photometric_bands()[k].name),
-                 [k](const auto& bright) { return bright.disc.magnitudes[k]; });
-    add_number(prefix + "mean_luminance_cd_m2",
-               [](const auto& bright) { return bright.disc.mean_luminance_cd_m2; });
-    add_number(prefix + "illuminance_lx",
-               [](const auto& bright) { return bright.disc.illuminance_lx; });
-  };
-  add_disc("", add);
-  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  add("V_error", [](const auto& bright) { return bright.V_error.value_or(none); });
-  if (!view.observer) return curve;
-  const auto add_seen = [&](const std::string& name, const auto& number_of) {
-    add(name, [&](const auto& bright) { return bright.seen ? number_of(*bright.seen) : none; });
-  };
-  add_seen("altitude_deg",
-           [](const auto& seen) { return algebra::in_degrees(seen.moon.altitude); });
-  add_seen("azimuth_deg", [](const auto& seen) { return algebra::in_degrees(seen.moon.azimuth); });
-  add_disc("seen_", add_seen);
-  add_seen("seen_level_illuminance_lx", [](const auto& seen) {
-    return seen.disc.illuminance_lx *
-           std::max(0., std::sin(algebra::in_radians(seen.moon.altitude)));
+  const auto over_all =
+      measurable(moon, skies.front(),
+                 moon.unshadowed ? unshadowed_light(moon.light, skies.front())
+                                 : light_on_the_way(moon.light, moon_on_its_way(moon.light, skies),
+                                                    {.error_told = false}, progress),
+                 rows);
+  LightCurve curve;
+  curve.moments.resize(moments.size());
+  tbb::parallel_for(std::size_t{0}, moments.size(), [&](std::size_t i) {
+    auto here = over_all;
+    here.sky = almanac::sky_at(moments[i]);
+    if (!moon.unshadowed) here.within = range_at(*here.light, here.sky);
+    curve.moments[i] = {brightness_of(here, view), view.observer.has_value(), {}};
   });
-  add_seen("sky_cd_m2", [](const auto& seen) { return seen.sky_cd_m2; });
+  curve.columns = result::columns_of(curve.moments);
   return curve;
+}
+
+MoonSurvey::MoonSurvey(const MoonRequest& moon, const algebra::Grid<float>& albedo,
+                       const Moonlight& light, Photometer meter)
+    : photometry_(moon.photometry),
+      meter_(std::move(meter)),
+      albedo_(albedo),
+      ground_(ground_of(moon, albedo)),
+      light_(light),
+      weights_(of_ground(ground_.get(), meter_.weights, band_centres_nm())),
+      shadowed_(light.in_channels(weights_)),
+      sunlit_(weights_) {}
+
+texture::Image MoonSurvey::texture(const almanac::SkyState& sky) const {
+  return texture::bake({albedo_, sky, range_at(light_, sky) ? shadowed_ : sunlit_, ground_.get()},
+                       meter_.channels, albedo_.rows(), photometry_);
+}
+
+DiscBrightness MoonSurvey::brightness(const almanac::SkyState& sky) const {
+  return measured(meter_, texture(sky), sky);
 }
 
 }  // namespace coppermoon::uses

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/camera.h"
 
+#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -11,6 +13,8 @@
 #include "algebra/number.h"
 #include "colour/camera_spectra.h"
 #include "texture/read_image.h"
+#include "texture/write_dng.h"
+#include "texture/write_image.h"
 #include "uses/picture/pixels.h"
 
 namespace coppermoon::uses {
@@ -47,12 +51,14 @@ void change(colour::Sensor& sensor, const CameraRequest& request) {
   change(sensor.response, request.response);
 }
 
-double number_in(const std::filesystem::path& frame, const char* attribute) {
-  return algebra::number_in(texture::read_attribute(frame, attribute).value_or("")).value_or(-1);
-}
+bool is_dng(const std::filesystem::path& file) { return file.extension() == ".dng"; }
 
-bool holds_its_sky(const std::filesystem::path& frame) {
-  return texture::read_attribute(frame, sky_place_attribute) == sky_place;
+/// One channel of every pixel: red and green in the first row, green and blue in the next.
+algebra::Grid<std::uint16_t> mosaic_of(const algebra::Grid<colour::RawPixel>& raw) {
+  algebra::Grid<std::uint16_t> mosaic(raw.rows(), raw.columns());
+  for (std::size_t r = 0; r < raw.rows(); ++r)
+    for (std::size_t c = 0; c < raw.columns(); ++c) mosaic(r, c) = raw(r, c)[r % 2 + c % 2];
+  return mosaic;
 }
 
 }  // namespace
@@ -109,17 +115,15 @@ SeenFrame seen_by(const View& view, const FrameSky& sky) {
 }
 
 SeenFrame seen_by(const std::filesystem::path& frame) {
-  SeenFrame seen;
-  seen.pixel_rad = std::max(0., number_in(frame, pixel_attribute)) * arcsec_rad;
-  if (const double sky = number_in(frame, sky_attribute); sky > 0 && holds_its_sky(frame))
-    seen.sky_cd_m2 = sky;
-  seen.disc = outline_in(texture::read_attribute(frame, disc_attribute).value_or(""));
-  seen.of_another_program = !texture::read_attribute(frame, "coppermoon:version");
-  return seen;
-}
-
-double sky_left_out(const std::filesystem::path& frame) {
-  return holds_its_sky(frame) ? 0 : std::max(0., number_in(frame, sky_attribute));
+  const auto header = texture::read_attributes(
+      frame, std::array<std::string_view, 5>{pixel_attribute, sky_attribute, sky_place_attribute,
+                                             disc_attribute, "coppermoon:version"});
+  const auto number = [&](std::size_t place) {
+    return std::max(0., algebra::number_in(header[place].value_or("")).value_or(0));
+  };
+  const bool holds_its_sky = header[2] == sky_place;
+  return {number(0) * arcsec_rad, holds_its_sky ? number(1) : 0, outline_in(header[3].value_or("")),
+          !header[4], holds_its_sky ? 0 : number(1)};
 }
 
 void add_seen(texture::Attributes& attributes, const SeenFrame& seen) {
@@ -147,6 +151,35 @@ colour::Photograph photographed(const CameraRequest& request, const colour::Came
       .seed = request.noise_seed,
       .frame = frame.number};
   return colour::photographed(pixels, frame.space, camera, shot);
+}
+
+void require_raw_file(const std::filesystem::path& file, const colour::Camera& camera) {
+  if (file.extension() != ".tif" && !is_dng(file))
+    throw algebra::Error(fmt::format("{}: a raw file ends in .tif, or in .dng", file.string()));
+  if (is_dng(file) && camera.sensor.response == "luminance")
+    throw algebra::Error(
+        fmt::format("{}: response = luminance, allowed for a raw file that ends in .dng a sensor "
+                    "that sees colours",
+                    file.string()));
+}
+
+void write_raw(const std::filesystem::path& file, const CameraRequest& request,
+               const colour::Camera& camera, double iso, const colour::Photograph& photograph,
+               const texture::Attributes& attributes) {
+  require_raw_file(file, camera);
+  if (!is_dng(file)) return texture::write_tiff(file, image_of(photograph.raw), attributes);
+  const auto response = colour::response_named(camera.sensor.response);
+  auto camera_from_xyz = response.from_xyz;
+  for (int column = 0; column < 3; ++column) camera_from_xyz[column] *= response.sensitivity;
+  const double black_dn = camera.sensor.black_level_dn;
+  texture::write_dng(file,
+                     {.numbers = mosaic_of(photograph.raw),
+                      .black_dn = black_dn,
+                      .white_dn = black_dn + colour::gain_at(camera, iso).white_dn,
+                      .camera_from_xyz = camera_from_xyz,
+                      .camera = request.model,
+                      .focal_length_mm = camera.optics.focal_length_mm},
+                     attributes);
 }
 
 }  // namespace coppermoon::uses

@@ -53,6 +53,8 @@ struct SeenFrame {
   double sky_cd_m2 = 0;
   std::optional<DiscOutline> disc = {};  ///< the Moon's edge; nothing: not known
   bool of_another_program = false;       ///< by its header
+  /// Luminance of a sky that the header of an older version's frame names, but the frame holds not; 0: none
+  double sky_left_out_cd_m2 = 0;
 };
 
 /// Facts of a frame of a view, and of the sky in it.
@@ -60,10 +62,6 @@ SeenFrame seen_by(const View& view, const FrameSky& sky);
 
 /// Facts of a frame by its header.
 SeenFrame seen_by(const std::filesystem::path& frame);
-
-/// Luminance of a sky [cd/m²] that a frame's header names, but the frame holds not: of one written before frames held
-/// theirs. 0: none.
-double sky_left_out(const std::filesystem::path& frame);
 
 /// Header attributes of such facts.
 void add_seen(texture::Attributes& attributes, const SeenFrame& seen);
@@ -80,5 +78,19 @@ struct Frame {
 /// Photograph of a scene-linear frame. Its sky goes on beyond the frame, for the glow.
 colour::Photograph photographed(const CameraRequest& request, const colour::Camera& camera,
                                 const Frame& frame, const colour::Exposure& exposure);
+
+/// Refuses a raw file before its photograph is taken.
+///
+/// Throws  Error  when it ends neither in .tif nor in .dng, or is a .dng of a sensor without colours
+void require_raw_file(const std::filesystem::path& file, const colour::Camera& camera);
+
+/// Writes what the sensor counted: all three channels of every pixel into a .tif; into a .dng one channel of each, as
+/// the sensor's mosaic of colour filters has it, for raw converters. White under D65 is its as-shot white balance.
+///
+/// Given   attributes  moment and exposure become EXIF's
+/// Throws  Error       as require_raw_file and texture::write_dng
+void write_raw(const std::filesystem::path& file, const CameraRequest& request,
+               const colour::Camera& camera, double iso, const colour::Photograph& photograph,
+               const texture::Attributes& attributes);
 
 }  // namespace coppermoon::uses

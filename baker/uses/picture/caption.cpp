@@ -11,6 +11,7 @@
 #include "almanac/calendar.h"
 #include "almanac/gazetteer.h"
 #include "uses/picture/local_time.h"
+#include "uses/picture/photo_file.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -22,13 +23,10 @@ std::string degrees_text(double degrees, const char* positive, const char* negat
 /// Moment of a capDate, as "2018:07:27 20:21:45".
 almanac::Instant moment_of(const texture::Attributes& header) {
   const auto date = header.find("capDate");
-  if (date == header.end()) throw algebra::Error("caption: the frame's header has no capDate");
-  auto text = std::get<std::string>(date->second);
-  const auto space = text.find(' ');
-  std::replace(text.begin(),
-               text.begin() + static_cast<std::ptrdiff_t>(std::min(space, text.size())), ':', '-');
-  if (space != std::string::npos) text[space] = 'T';
-  return almanac::instant_from_utc(text + "Z");
+  const auto clock =
+      date == header.end() ? std::nullopt : clock_in(std::get<std::string>(date->second));
+  if (!clock) throw algebra::Error("caption: the frame's header has no capDate");
+  return almanac::instant_from_utc(clock->local + 'Z');
 }
 
 std::optional<almanac::Observer> observer_of(const texture::Attributes& header) {

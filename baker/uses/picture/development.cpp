@@ -17,11 +17,11 @@
 #include "colour/display.h"
 #include "texture/contact_sheet.h"
 #include "texture/write_image.h"
+#include "uses/picture/camera.h"
 #include "uses/picture/caption.h"
-#include "uses/picture/limb_pixels.h"
+#include "uses/picture/disc_outline.h"
 #include "uses/picture/picture_files.h"
 #include "uses/picture/pixels.h"
-#include "uses/picture/raw_file.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -131,12 +131,6 @@ double f_number_of(const Development& development) {
                 : development.f_number.value_or(12.1);
 }
 
-LitSums sums_of(std::span<const double> lit) {
-  LitSums sums;
-  for (const double y : lit) sums.add(y);
-  return sums;
-}
-
 /// Cube of the mean cube root: it changes without a step while the shadow covers the disc.
 double cubic_mean(const LitSums& sums) {
   const double mean = sums.cube_roots / static_cast<double>(sums.count);
@@ -172,37 +166,38 @@ double time_for(const Development& development, double sky_cd_m2,
   return std::clamp(scale / scale_of(development, one_second(development)), 1e-6, 1e5);
 }
 
-Exposures exposed_for(const Development& development, double time_s) {
-  auto exposure = one_second(development);
-  exposure.time_s = time_s;
-  return {exposure};
-}
-
 /// Shares of saturation at which the rules expose.
 constexpr double brightest_level = 0.8, followed_level = 0.25, composite_level = 0.6;
 
-/// Exposure of a frame in which nothing of the Moon is lit.
-Exposures exposed_for_sky(const Development& development, double sky_cd_m2) {
-  return sky_cd_m2 > 0 ? exposed_for(development, time_for(development, sky_cd_m2))
-                       : Exposures{one_second(development)};
-}
-
-/// Exposures by a rule over sums.
-Exposures exposed_for(const Development& development, const LitSums& sums, double sky_cd_m2) {
+/// Exposures by a development's rule.
+///
+/// Given  lit     number of lit pixels
+///        sums    makes the sums over them
+///        bright  finds the 99th percentile of their brightest channels
+template <class Sums, class Bright>
+Exposures exposed_for(const Development& development, double sky_cd_m2, std::size_t lit,
+                      const Sums& sums, const Bright& bright) {
+  using enum ExposureTime::Rule;
+  Exposures all{one_second(development)};
+  const auto rule = development.time.rule;
+  auto& time_s = all.shorter.time_s;
   const auto time = [&](double brightest, double level) {
     return time_for(development, sky_cd_m2, brightest, level);
   };
-  if (development.time.rule == ExposureTime::Rule::follow)
-    return exposed_for(development, time(cubic_mean(sums), followed_level));
-  auto all = exposed_for(development, time(bright_mean(sums), composite_level));
-  all.longer_s = std::max(all.shorter.time_s, time(dark_mean(sums), composite_level));
+  if (rule == fixed) {
+    time_s = development.time.seconds;
+  } else if (lit == 0) {
+    if (sky_cd_m2 > 0) time_s = time_for(development, sky_cd_m2);
+  } else if (rule == automatic) {
+    time_s = time(bright(), brightest_level);
+  } else if (rule == follow) {
+    time_s = time(cubic_mean(sums()), followed_level);
+  } else {
+    const LitSums of_all = sums();
+    time_s = time(bright_mean(of_all), composite_level);
+    all.longer_s = std::max(time_s, time(dark_mean(of_all), composite_level));
+  }
   return all;
-}
-
-/// Exposure by the brightest channel of a hundredth.
-Exposures exposed_for_brightest(const Development& development, double brightest,
-                                double sky_cd_m2) {
-  return exposed_for(development, time_for(development, sky_cd_m2, brightest, brightest_level));
 }
 
 void require_ending(const std::filesystem::path& file, const char* what, const char* ending) {
@@ -318,37 +313,32 @@ void LitSums::add(double brightest_cd_m2) {
   fourth_powers += cube * brightest_cd_m2;
 }
 
-void LitSums::add(const LitSums& more) {
-  count += more.count;
-  inverses += more.inverses;
-  cube_roots += more.cube_roots;
-  cubes += more.cubes;
-  fourth_powers += more.fourth_powers;
-}
-
 Exposures exposures_for(const Development& development, const texture::Image& frame,
                         colour::WorkingSpace space, const SeenFrame& seen) {
-  if (development.time.rule == ExposureTime::Rule::fixed)
-    return exposed_for(development, development.time.seconds);
-  const auto lit = levels(colour::brightest_channel, frame, space, seen.disc);
-  if (lit.empty()) return exposed_for_sky(development, seen.sky_cd_m2);
-  if (development.time.rule != ExposureTime::Rule::automatic)
-    return exposed_for(development, sums_of(lit), seen.sky_cd_m2);
-  return exposed_for_brightest(development, bright_level_of(lit), seen.sky_cd_m2);
+  const auto lit = development.time.rule == ExposureTime::Rule::fixed
+                       ? std::vector<double>{}
+                       : levels(colour::brightest_channel, frame, space, seen.disc);
+  const auto sums = [&] {
+    LitSums all;
+    for (const double y : lit) all.add(y);
+    return all;
+  };
+  return exposed_for(development, seen.sky_cd_m2, lit.size(), sums,
+                     [&] { return bright_level_of(lit); });
 }
 
 Exposures exposures_for(const Development& development, const LitTexture& texture) {
   const auto rule = development.time.rule;
-  if (rule == ExposureTime::Rule::fixed) return exposed_for(development, development.time.seconds);
   Brightest brightest(texture.layout.width * texture.layout.height);
   LitSums sums;
-  for_each_band(texture, [&](const texture::Image& band) {
-    for (const double y : levels(colour::brightest_channel, band, texture.space, {}))
-      rule == ExposureTime::Rule::automatic ? brightest.add(y) : sums.add(y);
-  });
-  if (brightest.count() + sums.count == 0) return {one_second(development)};
-  if (rule != ExposureTime::Rule::automatic) return exposed_for(development, sums, 0);
-  return exposed_for_brightest(development, brightest.percentile(), 0);
+  if (rule != ExposureTime::Rule::fixed)
+    for_each_band(texture, [&](const texture::Image& band) {
+      for (const double y : levels(colour::brightest_channel, band, texture.space, {}))
+        rule == ExposureTime::Rule::automatic ? brightest.add(y) : sums.add(y);
+    });
+  return exposed_for(
+      development, 0, brightest.count() + sums.count, [&] { return sums; },
+      [&] { return brightest.percentile(); });
 }
 
 double sky_over_moon(const texture::Image& frame, colour::WorkingSpace space,
@@ -369,20 +359,21 @@ void SharedExposure::add(const texture::Image& frame, colour::WorkingSpace space
                          const SeenFrame& seen) {
   if (development_.time.rule == ExposureTime::Rule::fixed) return;
   const auto lit = levels(colour::brightest_channel, frame, space, seen.disc);
-  sums_.add(sums_of(lit));
   sky_cd_m2_ = std::max(sky_cd_m2_, seen.sky_cd_m2);
-  if (!counts_.empty())
-    for (const double y : lit) ++counts_[step_of(y)];
+  for (const double y : lit) {
+    sums_.add(y);
+    if (!counts_.empty()) ++counts_[step_of(y)];
+  }
 }
 
 Exposures SharedExposure::exposures() const {
-  if (development_.time.rule == ExposureTime::Rule::fixed)
-    return exposed_for(development_, development_.time.seconds);
-  if (sums_.count == 0) return exposed_for_sky(development_, sky_cd_m2_);
-  if (counts_.empty()) return exposed_for(development_, sums_, sky_cd_m2_);
-  std::size_t step = 0;
-  for (std::size_t below = counts_[0]; below <= sums_.count * 99 / 100;) below += counts_[++step];
-  return exposed_for_brightest(development_, middle_of(step), sky_cd_m2_);
+  const auto bright = [&] {
+    std::size_t step = 0;
+    for (std::size_t below = counts_[0]; below <= sums_.count * 99 / 100;) below += counts_[++step];
+    return middle_of(step);
+  };
+  return exposed_for(
+      development_, sky_cd_m2_, sums_.count, [&] { return sums_; }, bright);
 }
 
 double scale_of(const Development& development, const colour::Exposure& exposure) {

@@ -80,7 +80,6 @@ struct LitSums {
   double inverses = 0, cube_roots = 0, cubes = 0, fourth_powers = 0;
 
   void add(double brightest_cd_m2);
-  void add(const LitSums& more);
 };
 
 /// Exposure shared by a set of frames, by the rule for a single one applied to all their pixels. Only counts and

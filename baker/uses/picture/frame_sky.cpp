@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "povray_scenes/sight.h"
+#include "povray_scenes/camera.h"
 #include "uses/light/spectral_bands.h"
 #include "uses/picture/brightness.h"
 #include "uses/picture/camera.h"

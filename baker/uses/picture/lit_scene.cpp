@@ -8,14 +8,14 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "files/folder_lock.h"
+#include "files/lock.h"
 #include "files/own_file.h"
 #include "files/whole_file.h"
 #include "povray_scenes/mitsuba.h"
 #include "povray_scenes/moon_include.h"
 #include "texture/images_ahead.h"
 #include "texture/own_image.h"
-#include "uses/light/photometric_bands.h"
+#include "uses/light/photometer.h"
 #include "uses/picture/brightness.h"
 #include "uses/picture/clear_sky.h"
 #include "uses/picture/sky_lights.h"
@@ -116,10 +116,10 @@ void write_moon_include(const std::filesystem::path& folder, const LitScene& sce
 void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene,
                      const std::vector<povray_scenes::SkyLight>& lights, Renderer renderer) {
   povray_scenes::MoonScene moon{
-      .camera = scene.view.camera, .texture = texture_file, .caption = {}, .lights = lights};
+      .camera = scene.view.camera, .texture = texture_file, .lights = lights};
   std::error_code ignored;
   const bool made = std::filesystem::create_directory(folder, ignored);
-  const files::FolderLock alone(folder);
+  const auto alone = files::lock_folder(folder);
   try {
     texture::write_exr(folder / texture_file, scene.texture.parts, scene.texture.attributes);
     if (renderer == Renderer::mitsuba) return write_mitsuba_scene(folder, moon);
@@ -133,6 +133,21 @@ void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene,
     if (made) std::filesystem::remove_all(folder, ignored);
     throw;
   }
+}
+
+texture::UsdMoment usd_moment(const LitMoon& moon, const View& view, colour::WorkingSpace space) {
+  const auto direction = line_of_sight(view.camera);
+  const auto up = view.camera.up - glm::dot(view.camera.up, direction) * direction;
+  return {.position = view.camera.position,
+          .direction = direction,
+          .up = glm::normalize(up),
+          .field_rad = algebra::in_radians(view.camera.horizontal_field),
+          .lux = illuminance_seen(moon, space)};
+}
+
+std::array<double, 3> luminance_of_channels(colour::WorkingSpace space) {
+  const auto of = [&](std::array<double, 3> colour) { return colour::luminance(space, colour); };
+  return {of({1, 0, 0}), of({0, 1, 0}), of({0, 0, 1})};
 }
 
 }  // namespace coppermoon::uses

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "povray_scenes/scene.h"
+#include "texture/usd_text.h"
 #include "uses/picture/baked_moon.h"
 #include "uses/picture/frame_sky.h"
 #include "uses/picture/view.h"
@@ -70,5 +72,13 @@ void write_moon_include(const std::filesystem::path& folder, const LitScene& sce
 void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene,
                      const std::vector<povray_scenes::SkyLight>& lights = {},
                      Renderer renderer = Renderer::povray);
+
+/// Camera of a view and light of its Moon, for USD.
+///
+/// Given  space  of the light's colour
+texture::UsdMoment usd_moment(const LitMoon& moon, const View& view, colour::WorkingSpace space);
+
+/// Luminance of each channel of a space.
+std::array<double, 3> luminance_of_channels(colour::WorkingSpace space);
 
 }  // namespace coppermoon::uses

@@ -9,8 +9,8 @@
 #include "algebra/error.h"
 #include "almanac/calendar.h"
 #include "eclipse/moment.h"
-#include "uses/picture/horizon_crossings.h"
 #include "uses/picture/local_time.h"
+#include "uses/picture/view.h"
 
 namespace coppermoon::uses {
 namespace {

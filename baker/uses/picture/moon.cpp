@@ -18,6 +18,7 @@
 #include "texture/read_image.h"
 #include "texture/resize.h"
 #include "texture/seal.h"
+#include "uses/light/spectral_bands.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -170,6 +171,11 @@ std::shared_ptr<const surface::Ground> ground_of(const MoonRequest& moon,
   if (!moon.ground_by_place) return nullptr;
   return std::make_shared<const surface::Ground>(
       surface::ground_under(normal_albedo, moon.photometry));
+}
+
+algebra::Grid<double> of_ground(const surface::Ground* ground, const algebra::Grid<double>& weights,
+                                std::span<const double> at_nm) {
+  return ground ? reddest_and_bluest(weights, at_nm) : weights;
 }
 
 }  // namespace coppermoon::uses

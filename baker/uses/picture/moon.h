@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -62,12 +62,11 @@ std::size_t texture_width_of(const MoonRequest& moon);
 /// Whether the albedo comes from a file.
 bool reads_map(const MoonRequest& moon);
 
-/// The normal albedo of the ground, so that the full Moon has the geometric albedo 0.12: the map
-/// named, decoded, or the built-in one, no finer than the texture (surface::built_in_map). The kits'
-/// maps are of 60 degrees of phase, where maria are darker against highlands than at full Moon: to the
-/// power 1/1.56 they have the contrast of the normal albedo that Sato et al. (2014) give, within 5 %
-/// rms of cells of one degree over the near side. The poles of that of 2019 are mended: see
-/// surface::with_polar_contrast.
+/// The normal albedo of the ground, so that the full Moon has the geometric albedo 0.12: the map named, decoded, or the
+/// built-in one, no finer than the texture (surface::built_in_map). The kits' maps are of 60 degrees of phase, where
+/// maria are darker against highlands than at full Moon: to the power 1/1.56 they have the contrast of the normal
+/// albedo that Sato et al. (2014) give, within 5 % rms of cells of one degree over the near side. The poles of that of
+/// 2019 are mended: see surface::with_polar_contrast.
 ///
 /// Throws Error as texture::read_albedo_map; when the exponent is outside 0.1 to 10, or the centre is
 ///        neither 0 nor 180
@@ -78,6 +77,12 @@ algebra::Grid<float> normal_albedo(const MoonRequest& moon);
 /// Throws Error as surface::ground_under
 std::shared_ptr<const surface::Ground> ground_of(const MoonRequest& moon,
                                                  const algebra::Grid<float>& normal_albedo);
+
+/// Weights of moonlight for a bake: of the reddest and the bluest ground where it differs by place (reddest_and_bluest).
+///
+/// Given  at_nm  wavelengths or middles of bands of the weights' columns
+algebra::Grid<double> of_ground(const surface::Ground* ground, const algebra::Grid<double>& weights,
+                                std::span<const double> at_nm);
 
 /// Throws Error as normal_albedo, as far as that map's header tells; for a response that is none
 void require_map(const MoonRequest& moon);

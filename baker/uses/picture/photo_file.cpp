@@ -312,11 +312,6 @@ texture::Attributes scene_attributes(const std::string& file) {
   return attributes;
 }
 
-std::optional<double> seconds_of_date(const std::string& date) {
-  const auto clock = clock_in(date);
-  return clock ? std::optional(seconds_at(*clock)) : std::nullopt;
-}
-
 std::optional<double> taken_at_s(const std::string& photo) {
   const auto date = text_in_header(photo, {"Exif:DateTimeOriginal", "capDate"});
   const auto clock = date ? clock_named(photo, *date) : std::nullopt;

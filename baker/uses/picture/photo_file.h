@@ -91,14 +91,9 @@ texture::Image raw_light(const std::string& photo, colour::WorkingSpace space,
 /// Attributes of a frame or photograph that describe the scene: recipe, moment, meaning of the numbers.
 texture::Attributes scene_attributes(const std::string& file);
 
-/// Date of a header in seconds on a uniform scale; nothing where the camera's clock was not set.
+/// Time of a photograph in seconds on a uniform scale; nothing when its header does not say.
 ///
-/// Throws  Error  as clock_in
-std::optional<double> seconds_of_date(const std::string& date);
-
-/// Time of a photograph on that scale; nothing when its header does not say.
-///
-/// Throws  Error  with the photograph's name, as seconds_of_date
+/// Throws  Error  with the photograph's name, as clock_in
 std::optional<double> taken_at_s(const std::string& photo);
 
 /// Photograph of a bracketed set made by coppermoon: its light, its valid pixels, and its weight.

@@ -20,19 +20,14 @@
 namespace coppermoon::uses {
 namespace {
 
-std::string_view without_spaces(std::string_view text) {
-  const auto first = std::min(text.find_first_not_of(' '), text.size());
-  return text.substr(first, text.find_last_not_of(' ') + 1 - first);
-}
-
 /// Takes a number and one of some marks behind it off the front of a text.
 std::optional<double> take_marked(std::string_view& text,
                                   std::initializer_list<std::string_view> marks) {
   for (const auto mark : marks) {
     const auto end = text.find(mark);
     if (end == std::string_view::npos) continue;
-    const auto number = algebra::number_in(without_spaces(text.substr(0, end)));
-    text = without_spaces(text.substr(end + mark.size()));
+    const auto number = algebra::number_in(algebra::without_spaces(text.substr(0, end)));
+    text = algebra::without_spaces(text.substr(end + mark.size()));
     return number;
   }
   return std::nullopt;
@@ -42,11 +37,11 @@ std::optional<double> take_marked(std::string_view& text,
 ///
 /// Given  senses  letters of the positive and of the negative sense, as "EW"
 std::optional<double> degrees_in(std::string_view text, std::string_view senses) {
-  text = without_spaces(text);
+  text = algebra::without_spaces(text);
   const bool sensed = !text.empty() && senses.find(text.back()) != std::string_view::npos;
   const bool negative = text.starts_with('-') || (sensed && text.back() == senses[1]);
   if (sensed && text.find_first_of("+-") == 0) return std::nullopt;
-  if (sensed) text = without_spaces(text.substr(0, text.size() - 1));
+  if (sensed) text = algebra::without_spaces(text.substr(0, text.size() - 1));
   if (text.find("°") == std::string_view::npos) {
     const auto number = algebra::number_in(text);
     return number && sensed && negative ? -*number : number;
@@ -76,7 +71,7 @@ std::vector<double> place_numbers(const std::string& text) {
   for (std::string part; std::getline(parts, part, ',');) {
     const auto number = numbers.empty()       ? degrees_in(part, "NS")
                         : numbers.size() == 1 ? degrees_in(part, "EW")
-                                              : algebra::number_in(without_spaces(part));
+                                              : algebra::number_in(algebra::without_spaces(part));
     if (!number) return {};
     numbers.push_back(*number);
   }

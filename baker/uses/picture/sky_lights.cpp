@@ -2,25 +2,25 @@
 #include "uses/picture/sky_lights.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
-#include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
 #include <map>
 #include <numbers>
-#include <optional>
+#include <numeric>
 #include <utility>
 
 #include "almanac/planets.h"
 #include "almanac/stars.h"
 #include "atmosphere/astronomical_refraction.h"
-#include "povray_scenes/sight.h"
+#include "colour/working_space.h"
+#include "povray_scenes/camera.h"
+#include "uses/light/photometer.h"
+#include "uses/light/spectral_bands.h"
 #include "uses/picture/pixels.h"
-#include "uses/picture/star_light.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -192,28 +192,6 @@ class Eye {
   double limb_;  ///< sine of the Moon's radius
 };
 
-}  // namespace
-
-std::vector<SkyLight> sky_lights(const View& view, const almanac::SkyState& sky) {
-  const Eye eye(view, sky);
-  std::vector<SkyLight> lights;
-  for (const auto& source : eye.sources())
-    for (const auto& point : in_points(source))
-      if (!eye.moon_hides(point.direction) && !eye.ground_hides(point.direction))
-        lights.push_back(eye.seen(point));
-  return lights;
-}
-
-std::vector<SkyLight> scene_lights(const View& view, const almanac::SkyState& sky) {
-  const Eye eye(view, sky);
-  std::vector<SkyLight> lights;
-  for (const auto& source : eye.sources())
-    if (!eye.ground_hides(source.direction)) lights.push_back(eye.seen(source));
-  return lights;
-}
-
-namespace {
-
 /// Shares of a Gaussian in the pixels along a line.
 struct Spread {
   std::ptrdiff_t first = 0;
@@ -233,7 +211,49 @@ Spread spread_about(double place) {
   return spread;
 }
 
+/// Bands of 5 nm, the V band's response in them, and what it makes of the Sun.
+struct StarBands : BroadBands {
+  std::vector<double> v{};
+  double solar_magnitude = photometric_bands()[V_band].solar_magnitude, sun_in_v = 0;
+};
+
+const StarBands& bands_of_light() {
+  static const StarBands all = [] {
+    StarBands bands{broad_bands(5)};
+    const auto response = photometric_response(bands.edges_nm);
+    bands.v.assign(response.row(V_band).begin(), response.row(V_band).end());
+    bands.sun_in_v = std::inner_product(bands.v.begin(), bands.v.end(), bands.sunlight.begin(), 0.);
+    return bands;
+  }();
+  return all;
+}
+
+/// Planck's law, of any scale.
+double black_body(double wavelength_nm, double temperature_k) {
+  constexpr double second_radiation_nm_k = 1.438776877e7;  // CODATA 2018, hc/k
+  return std::pow(wavelength_nm, -5) /
+         std::expm1(second_radiation_nm_k / (wavelength_nm * temperature_k));
+}
+
 }  // namespace
+
+std::vector<SkyLight> sky_lights(const View& view, const almanac::SkyState& sky) {
+  const Eye eye(view, sky);
+  std::vector<SkyLight> lights;
+  for (const auto& source : eye.sources())
+    for (const auto& point : in_points(source))
+      if (!eye.moon_hides(point.direction) && !eye.ground_hides(point.direction))
+        lights.push_back(eye.seen(point));
+  return lights;
+}
+
+std::vector<SkyLight> scene_lights(const View& view, const almanac::SkyState& sky) {
+  const Eye eye(view, sky);
+  std::vector<SkyLight> lights;
+  for (const auto& source : eye.sources())
+    if (!eye.ground_hides(source.direction)) lights.push_back(eye.seen(source));
+  return lights;
+}
 
 void add_lights(texture::Image& frame, const povray_scenes::SceneCamera& camera,
                 std::span<const SkyLight> lights) {
@@ -290,6 +310,41 @@ std::vector<povray_scenes::StarInSky> lights_over(const View& view, const almana
     if (dome.shows(source.direction))
       lights.push_back({dome.place_of(source.direction), dome.light_of(source)});
   return lights;
+}
+
+double star_temperature_k(double b_minus_v) {
+  const double colour = 0.92 * std::clamp(b_minus_v, -0.5, 4.);
+  return 4600 * (1 / (colour + 1.7) + 1 / (colour + 0.62));
+}
+
+StarLights::StarLights(const std::optional<atmosphere::ObserverAir>& air,
+                       const std::string& response)
+    : channels_(response.empty()
+                    ? bands_of_light().channels
+                    : colour::channel_weights(picture_space, bands_of_light().edges_nm, response)) {
+  if (!air) return;
+  for (const double centre : bands_of_light().centres_nm)
+    depths_.push_back(atmosphere::vertical_depths(*air, algebra::nanometres(centre)));
+}
+
+std::array<double, 3> StarLights::lux(double magnitude, double b_minus_v,
+                                      algebra::Angle altitude) const {
+  const auto& bands = bands_of_light();
+  const double temperature_k = star_temperature_k(b_minus_v);
+  double in_v = 0;
+  std::array<double, 3> light{};
+  for (std::size_t b = 0; b < bands.centres_nm.size(); ++b) {
+    const double above = black_body(bands.centres_nm[b], temperature_k);
+    in_v += bands.v[b] * above;
+    const double seen =
+        depths_.empty() ? above : above * atmosphere::transmittance_above(depths_[b], altitude);
+    for (std::size_t k = 0; k < 3; ++k) light[k] += channels_(k, b) * seen;
+  }
+  const double scale =
+      bands.sun_in_v / in_v * std::pow(10, -0.4 * (magnitude - bands.solar_magnitude));
+  for (double& channel : light) channel *= scale;
+  into_gamut_or_black(picture_space, light);
+  return light;
 }
 
 }  // namespace coppermoon::uses

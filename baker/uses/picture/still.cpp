@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "files/temporary_folder.h"
+#include "povray_scenes/camera.h"
 #include "povray_scenes/render.h"
 #include "povray_scenes/scene.h"
-#include "povray_scenes/sight.h"
 #include "texture/read_image.h"
 #include "uses/light/header.h"
 #include "uses/picture/disc_outline.h"
@@ -84,18 +84,16 @@ Image positions(const Image& moon, const povray_scenes::SceneCamera& camera) {
   return image;
 }
 
-/// Part of a frame's file. Blender tells parts apart by the names of their channels, as moon.R, alone.
-texture::Part part_of(const std::string& name, Image image, texture::ExrOptions options) {
+/// Part of a frame's file, of an image that outlives it. Blender tells parts apart by the names of their channels, as
+/// moon.R, alone.
+texture::Part part_of(const std::string& name, const Image& image,
+                      const texture::ExrOptions& options) {
   texture::Layout layout{image.width, image.height, image.channels};
   if (name != "rgba")
     for (auto& channel : layout.channels) channel = name + "." + channel;
   return {.name = name,
           .layout = layout,
-          .rows =
-              [image = std::move(image)](std::size_t first_row, std::span<float> values) {
-                const auto length = image.width * image.channels.size();
-                std::copy_n(&image.values[first_row * length], values.size(), values.begin());
-              },
+          .rows = texture::rows_of(image),
           .left_out = {},
           .own = {},
           .options = options};
@@ -177,15 +175,14 @@ void write_frame(const std::filesystem::path& file, const LinearFrame& frame,
   const texture::ExrOptions light{.type = type_of(frame.light)}, floats{.type = ExrType::floating};
   if (frame.moon.values.empty()) return texture::write_exr(file, frame.light, header, light);
   const bool black = frame.sky.values.empty();
-  const auto stars = stars_of(frame, light.type);
-  std::vector<texture::Part> parts{
-      part_of("rgba", with_alpha(black ? frame.light : sum_of(frame, stars), frame.moon),
-              black ? light : floats),
-      part_of("moon", frame.moon, {})};
+  const auto stars = stars_of(frame, light.type),
+             all = with_alpha(black ? frame.light : sum_of(frame, stars), frame.moon),
+             places = positions(frame.moon, camera);
+  std::vector<texture::Part> parts{part_of("rgba", all, black ? light : floats),
+                                   part_of("moon", frame.moon, {})};
   if (!black) parts.push_back(part_of("sky", frame.sky, floats));
   parts.push_back(part_of("stars", stars, floats));
-  parts.push_back(part_of("position", positions(frame.moon, camera),
-                          {.type = ExrType::floating, .allow_negative = true}));
+  parts.push_back(part_of("position", places, {.type = ExrType::floating, .allow_negative = true}));
   parts.back().left_out = {"whiteLuminance", "chromaticities"};
   parts.back().own = {{"colorInteropID", std::string("data")},
                       {"coppermoon:unit", std::string("lunar radii")}};

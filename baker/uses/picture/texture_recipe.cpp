@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/texture_recipe.h"
 
-#include "request/recipe.h"
 #include "uses/light/light_parameters.h"
 #include "uses/picture/picture_parameters.h"
 
@@ -46,7 +45,16 @@ std::string recipe_of_light(const LitMoon& moon, bool with_width,
   describe_solver(all, request.light);
   more(all);
   const auto recipe = request::recipe_of(all);
-  return request.unshadowed ? recipe : with_work(recipe, moon.light->plan.work);
+  return text_of(recipe_made(recipe, moon));
+}
+
+request::Recipe recipe_made(const request::Recipe& asked, const LitMoon& moon) {
+  return moon.request.unshadowed ? asked : with_work(asked, moon.light->plan.work);
+}
+
+request::Recipe with_width(const request::Recipe& recipe, std::size_t width) {
+  return with({{.name = "texture-width", .texts = {request::text_of(width)}, .bare = true}},
+              recipe);
 }
 
 std::string texture_recipe(const LitMoon& moon, const TextureContent& content) {

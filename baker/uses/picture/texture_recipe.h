@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "request/parameter.h"
+#include "request/recipe.h"
 #include "uses/picture/baked_moon.h"
 
 namespace coppermoon::uses {
@@ -15,6 +15,12 @@ namespace coppermoon::uses {
 ///        more        adds parameters, bound to fields that last until the recipe is made
 std::string recipe_of_light(const LitMoon& moon, bool with_width,
                             const std::function<void(request::Parameters&)>& more);
+
+/// Recipe of a Moon that was asked for by another: with the work that its light was planned to be, where it has a shadow.
+request::Recipe recipe_made(const request::Recipe& asked, const LitMoon& moon);
+
+/// Recipe with the width of a texture [texels].
+request::Recipe with_width(const request::Recipe& recipe, std::size_t width);
 
 /// Recipe, in TOML, with which `coppermoon bake --recipe` bakes the same texels again. The planned work stands in it
 /// knob by knob, so they are the same on any machine.

@@ -8,11 +8,12 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
+#include <utility>
 
 #include "algebra/error.h"
 #include "almanac/gazetteer.h"
 #include "atmosphere/astronomical_refraction.h"
-#include "povray_scenes/sight.h"
+#include "povray_scenes/camera.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -21,7 +22,8 @@ algebra::Angle semidiameter(const almanac::ObserverView& seen) {
   return algebra::radians(std::asin(almanac::lunar_radius / seen.moon_distance));
 }
 
-algebra::Angle above_horizon(const almanac::Observer& observer, const almanac::ObserverView& seen) {
+algebra::Angle limb_above_horizon(const almanac::Observer& observer,
+                                  const almanac::ObserverView& seen) {
   return seen.altitude + semidiameter(seen) - horizon_altitude(observer);
 }
 
@@ -33,7 +35,7 @@ std::string place_name(const almanac::Observer& observer) {
 }
 
 void require_up(const almanac::ObserverView& seen, const almanac::Observer& observer) {
-  const double below_deg = -algebra::in_degrees(above_horizon(observer, seen));
+  const double below_deg = -algebra::in_degrees(limb_above_horizon(observer, seen));
   if (below_deg < 0) return;
   throw algebra::Error(
       fmt::format("from {} the Moon is {:.{}f}° below the horizon then; choose another moment or "
@@ -41,8 +43,7 @@ void require_up(const almanac::ObserverView& seen, const almanac::Observer& obse
                   place_name(observer), below_deg, below_deg < 10 ? 1 : 0));
 }
 
-/// The Moon's altitude, or that of the apparent horizon where a high place sees it lower: its air holds from
-/// there on.
+/// The Moon's altitude, or that of the apparent horizon where a high place sees it lower: its air holds from there on.
 algebra::Angle altitude_in_air(const almanac::ObserverView& seen) {
   return std::max(seen.altitude, atmosphere::lowest_true_altitude);
 }
@@ -71,6 +72,46 @@ algebra::Angle field_of(const ViewRequest& request) {
   return algebra::radians(2 * std::atan(across * std::tan(shorter_rad / 2)));
 }
 
+using almanac::Instant;
+
+constexpr double step_s = 1800;
+
+double height(const almanac::Observer& place, const Instant& when) {
+  return algebra::in_radians(above_horizon(place, almanac::sky_at(when)));
+}
+
+/// Zero of the height between two moments, by bisection to 0.02 s.
+Crossing crossing(const almanac::Observer& place, Instant from, double seconds) {
+  const bool up = height(place, from) > 0;
+  while (seconds > 0.02) {
+    seconds /= 2;
+    const auto middle = almanac::later(from, seconds);
+    if ((height(place, middle) > 0) == up) from = middle;
+  }
+  return {from, !up};
+}
+
+/// Times [s from the first moment] and heights [rad]: every half hour, and at extremes so near the horizon that a rise
+/// and a set may lie within a step.
+std::vector<std::pair<double, double>> heights(const almanac::Observer& place, const Instant& from,
+                                               double seconds) {
+  constexpr double grazing = 3e-3;  // largest rise within a step: (2π / a day · half a step)² / 2
+  const auto steps = static_cast<int>(std::ceil(seconds / step_s));
+  const double step = seconds / steps;
+  const auto at = [&](double s) { return std::pair{s, height(place, almanac::later(from, s))}; };
+  std::vector<std::pair<double, double>> all;
+  for (int i = 0; i <= steps; ++i) all.push_back(at(i * step));
+  for (int i = 1; i < steps; ++i) {
+    const auto n = static_cast<std::size_t>(i);
+    const double before = all[n - 1].second, here = all[n].second, after = all[n + 1].second;
+    const double bend = before - 2 * here + after;
+    if (std::abs(here) < grazing && (here - before) * (here - after) > 0)
+      all.push_back(at(i * step + step * (before - after) / (2 * bend)));
+  }
+  std::ranges::sort(all);
+  return all;
+}
+
 }  // namespace
 
 std::string place_text(const almanac::Observer& observer) {
@@ -92,7 +133,7 @@ algebra::Angle horizon_altitude(const almanac::Observer& observer) {
 }
 
 algebra::Angle above_horizon(const almanac::Observer& observer, const almanac::SkyState& sky) {
-  return above_horizon(observer, almanac::view_from(observer, sky));
+  return limb_above_horizon(observer, almanac::view_from(observer, sky));
 }
 
 bool moon_is_up(const ViewRequest& request, const almanac::SkyState& sky) {
@@ -167,6 +208,17 @@ View view_of(const ViewRequest& request, const almanac::SkyState& sky) {
   if (request.flattening) view.camera.flattening = flattening_of(seen);
   if (request.reddening) view.sightline = {view.air, altitude_in_air(seen)};
   return view;
+}
+
+std::vector<Crossing> horizon_crossings(const almanac::Observer& place, const Instant& from,
+                                        const Instant& to) {
+  std::vector<Crossing> found;
+  const auto all = heights(place, from, almanac::seconds_between(from, to));
+  for (std::size_t i = 1; i < all.size(); ++i)
+    if ((all[i - 1].second > 0) != (all[i].second > 0))
+      found.push_back(
+          crossing(place, almanac::later(from, all[i - 1].first), all[i].first - all[i - 1].first));
+  return found;
 }
 
 }  // namespace coppermoon::uses

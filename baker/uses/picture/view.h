@@ -4,7 +4,9 @@
 #include <glm/mat3x3.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "almanac/instant.h"
 #include "almanac/observer.h"
 #include "atmosphere/observer_air.h"
 #include "povray_scenes/camera.h"
@@ -94,5 +96,18 @@ atmosphere::ObserverAir air_over(const almanac::Observer& observer, const ViewRe
 /// Throws Error when nothing of the Moon is above the observer's horizon: says by how much; or when the
 ///        observer's air is not sound
 View view_of(const ViewRequest& request, const almanac::SkyState& sky);
+
+/// Moonrise or moonset.
+struct Crossing {
+  almanac::Instant when;
+  bool rises;
+};
+
+/// Moonrises and moonsets of a place between two moments, in order of time: zeros of above_horizon, which has parallax.
+///
+/// Accuracy  0.1 s, by the Moon's place; weather changes refraction, and so the time by a minute or more
+/// Throws    Error  as require_on_earth
+std::vector<Crossing> horizon_crossings(const almanac::Observer& place,
+                                        const almanac::Instant& from, const almanac::Instant& to);
 
 }  // namespace coppermoon::uses

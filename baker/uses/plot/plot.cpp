@@ -125,10 +125,10 @@ void write_plot(const std::filesystem::path& file, const Plot& plot) {
   const files::TemporaryFolder folder;
   files::write_whole(folder.path() / "plot.gp",
                      "set terminal " + format.terminal(plot) + "\n" + script(plot));
-  files::write_whole(file, [&](int descriptor) {
+  files::write_whole(file, [&](const files::Handle& result) {
     files::run_program(
         {.words = {"gnuplot", "-d", "plot.gp"}, .package = "gnuplot-nox", .folder = folder.path()},
-        descriptor);
+        &result);
   });
 }
 

@@ -3,7 +3,7 @@
 
 namespace coppermoon::verbs {
 
-void add_camera_file_options(CLI::App& verb, uses::CameraRequest& request) {
+void add_camera_file_options(Verb& verb, uses::CameraRequest& request) {
   add_flag(
       verb, "--raw", request.raw,
       "writes the sensor's raw numbers too: .tif, three channels of 16 bits, or .dng, its mosaic "
@@ -16,7 +16,7 @@ void add_camera_file_options(CLI::App& verb, uses::CameraRequest& request) {
       .writes_file();
 }
 
-void add_frame_space_option(CLI::App& verb, colour::WorkingSpace& space) {
+void add_frame_space_option(Verb& verb, colour::WorkingSpace& space) {
   add_parsed(
       verb, "--space", [&space](const std::string& name) { space = colour::working_space(name); },
       "colour space of the scene-linear frame: lin_rec709, acescg or lin_ciexyzd65_scene",

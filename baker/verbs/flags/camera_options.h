@@ -7,9 +7,9 @@
 namespace coppermoon::verbs {
 
 /// Files of one photograph: --raw, --photograph.
-void add_camera_file_options(CLI::App& verb, uses::CameraRequest& request);
+void add_camera_file_options(Verb& verb, uses::CameraRequest& request);
 
 /// --space of a scene-linear frame.
-void add_frame_space_option(CLI::App& verb, colour::WorkingSpace& space);
+void add_frame_space_option(Verb& verb, colour::WorkingSpace& space);
 
 }  // namespace coppermoon::verbs

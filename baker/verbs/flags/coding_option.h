@@ -15,7 +15,7 @@
 namespace coppermoon::verbs {
 
 /// --coding: what a photograph's numbers mean.
-inline Flag add_coding_option(CLI::App& verb, texture::Coding& coding, const std::string& help) {
+inline request::Parameter& add_coding_option(Verb& verb, texture::Coding& coding, const std::string& help) {
   using enum texture::Coding;
   return add_choice<texture::Coding>(
       verb, "--coding", coding,

@@ -38,7 +38,7 @@ std::string duration_as_seconds(const std::string& text) {
   return request::text_of(*seconds);
 }
 
-void add_times(CLI::App& verb, FilmOptions& options) {
+void add_times(Verb& verb, FilmOptions& options) {
   add_flag(verb, "eclipse,--eclipse", options.eclipse,
            "day of the eclipse, as 2018-07-27; or a file of a film, to go on with it")
       .in(film_group);
@@ -104,7 +104,7 @@ std::vector<Instant> moments_in(const std::string& text, const eclipse::Eclipse&
   return moments;
 }
 
-void add_making(CLI::App& verb, FilmOptions& options) {
+void add_making(Verb& verb, FilmOptions& options) {
   add_flag(
       verb, "--make", options.make,
       "what to make, with commas between: textures, scenes (with their textures), frames "
@@ -144,7 +144,7 @@ void add_making(CLI::App& verb, FilmOptions& options) {
       .of(request::Affects::picture);
 }
 
-void add_files_of_all(CLI::App& verb, FilmOptions& options) {
+void add_files_of_all(Verb& verb, FilmOptions& options) {
   const std::string group = "Of the whole film";
   add_flag(
       verb, "--contact-sheet", options.contact_sheet,
@@ -156,7 +156,6 @@ void add_files_of_all(CLI::App& verb, FilmOptions& options) {
       "light curve, .csv, .png, .svg or .pdf: V magnitude and mean luminance of the disc above the "
       "air. May be given again")
       .writes_file()
-      .kept_each_time()
       .in(group);
   add_flag(
       verb, "--movie", options.movie,
@@ -202,7 +201,7 @@ std::string word_for(uses::Mount mount) {
 
 }  // namespace
 
-void add_film_options(CLI::App& verb, FilmOptions& options) {
+void add_film_options(Verb& verb, FilmOptions& options) {
   add_times(verb, options);
   add_making(verb, options);
   add_files_of_all(verb, options);

@@ -35,7 +35,7 @@ struct FilmOptions {
 };
 
 /// When its frames are, what is made of them, which of them, the mount; files of the whole film.
-void add_film_options(CLI::App& verb, FilmOptions& options);
+void add_film_options(Verb& verb, FilmOptions& options);
 
 /// The eclipse of the day that is named (uses::eclipse_of_day); without one on that day the nearest within 15 days, which is
 /// said on stderr; where none is named, the eclipse nearest to the first moment that has a date.

@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
-#include <filesystem>
+#include <deque>
 #include <functional>
-#include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "files/endings.h"
 #include "request/parameter.h"
-
-namespace CLI {
-class App;
-class Option;
-}  // namespace CLI
+#include "result/fields.h"
 
 namespace coppermoon::verbs {
 
@@ -26,103 +20,111 @@ struct WrongUsage : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A flag that a verb has just got, and its parameter.
-class Flag {
- public:
-  Flag(CLI::Option& option, request::Parameter& parameter)
-      : option_(&option), parameter_(&parameter) {}
+struct Program;
 
-  Flag in(const std::string& group) const;  ///< the heading that --help lists it under
-  Flag one_of(std::vector<std::string> words) const;
-  Flag within(double low, double high) const;
-  Flag required() const;
-  Flag excludes(const std::string& flag) const;
-  Flag reads_file() const;   ///< the value names a file that is read
-  Flag writes_file() const;  ///< the value names a file that is written
-  /// The value names a file that is written, in one of the formats of a table.
-  template <class Formats>
-  Flag writes_file(const Formats& formats) const {
-    for (const files::Ending& format : formats)
-      parameter_->endings.emplace_back(format.ending, format.help);
-    return writes_file();
-  }
-  Flag writes_folder() const;        ///< the value names a folder that files are written into
-  Flag kept_each_time() const;       ///< may be given again; every value is kept
-  Flag one_value_each_time() const;  ///< may be given again; what follows a value is no second one
-  Flag of(request::Affects what) const;
-  Flag only_with(request::Conditions any) const;
-  Flag not_beside(request::Conditions any) const;
-
- private:
-  CLI::Option* option_;
-  request::Parameter* parameter_;
+/// Command with its parameters.
+struct Verb {
+  std::string name{}, help{};
+  request::Parameters parameters{};
+  std::function<void()> run{};        ///< what it does once its parameters have their values
+  Program* program = nullptr;         ///< whose command it is; null: none's, to read the recipe of a file
+  std::vector<result::Fields> documents{};  ///< that --json prints: one of these
+  std::vector<std::string> typed{};   ///< names of parameters that the command line itself gives
 };
 
-/// Parameters of all flags that a verb has.
-request::Parameters& parameters_of(CLI::App& verb);
-const request::Parameters& parameters_of(const CLI::App& verb);
+/// The program: its commands, and the parameters of all of them. Parameters keep its address.
+struct Program {
+  std::deque<Verb> verbs;
+  std::size_t threads = 0;
+  bool help = false, help_all = false;
+  request::Parameters of_all;
 
-/// A flag for a parameter, which the verb keeps.
-Flag add_flag(CLI::App& verb, request::Parameter parameter);
+  Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+};
 
-/// Flags for all parameters that a request describes.
-void add_flags(CLI::App& verb, request::Parameters parameters);
+/// Command of that name; null: none.
+Verb* find_verb(Program& program, std::string_view name);
+
+/// All parameters that are flags of a command: its own, then those of all commands.
+std::vector<const request::Parameter*> flags_of(const Verb& verb);
+
+/// Parameter of a flag, as "output" or "-o"; null: none.
+request::Parameter* flag_of(Verb& verb, std::string_view flag);
+
+/// Adds a parameter.
+request::Parameter& add_flag(Verb& verb, request::Parameter parameter);
+
+/// Adds parameters that a request describes.
+void add_flags(Verb& verb, request::Parameters parameters);
 
 template <class Request>
-void add_described(CLI::App& verb, Request& request) {
+void add_described(Verb& verb, Request& request) {
   request::Parameters parameters;
   describe(parameters, request);
   add_flags(verb, std::move(parameters));
 }
 
-/// Flags for the parameters that one of a request's functions describes, as uses::describe_map.
+/// Adds the parameters that one of a request's functions describes, as uses::describe_map.
 template <class Request>
-void add_described(CLI::App& verb, Request& request,
+void add_described(Verb& verb, Request& request,
                    void (*some)(request::Parameters&, std::type_identity_t<Request>&)) {
   request::Parameters parameters;
   some(parameters, request);
   add_flags(verb, std::move(parameters));
 }
 
-/// A flag with a value, as request::parameter has it.
+/// Adds a parameter with a value, as request::parameter has it.
 template <typename Value>
-Flag add_flag(CLI::App& verb, const std::string& names, Value& value, const std::string& help) {
+request::Parameter& add_flag(Verb& verb, const std::string& names, Value& value,
+                             const std::string& help) {
   return add_flag(verb, request::parameter(names, value, help));
 }
 
-/// A flag whose value is read by a function, as "2s" or "42.86,-73.77".
+/// Adds a parameter whose value is read by a function, as "2s" or "42.86,-73.77".
 ///
 /// Given  take  reads the text; throws algebra::Error when it cannot
 ///        text  of the default, where it has one
-Flag add_parsed(CLI::App& verb, const std::string& names,
-                std::function<void(const std::string&)> take, const std::string& help,
-                const std::string& text = "");
+request::Parameter& add_parsed(Verb& verb, const std::string& names,
+                               std::function<void(const std::string&)> take,
+                               const std::string& help, const std::string& text = "");
 
-/// A flag whose value is one of some words, as request::choice has it.
+/// Adds a parameter whose value is one of some words, as request::choice has it.
 template <typename Value, typename Field>
-Flag add_choice(CLI::App& verb, const std::string& names, Field& value,
-                const request::Words<Value>& words, const std::string& help) {
+request::Parameter& add_choice(Verb& verb, const std::string& names, Field& value,
+                               const request::Words<Value>& words, const std::string& help) {
   return add_flag(verb, request::choice(names, value, words, help));
 }
 
-/// A flag without a value.
-Flag add_switch(CLI::App& verb, const std::string& names, bool& value, const std::string& help);
+/// Adds a flag without a value.
+request::Parameter& add_switch(Verb& verb, const std::string& names, bool& value,
+                               const std::string& help);
 
-/// A flag without a value that says how this run goes, as --json: no recipe holds it.
-Flag add_run_switch(CLI::App& verb, const std::string& names, bool& value, const std::string& help);
+/// Adds a flag without a value that says how this run goes, as --json: no recipe holds it.
+request::Parameter& add_run_switch(Verb& verb, const std::string& names, bool& value,
+                                   const std::string& help);
 
-/// Returned  the new word of the command line
-CLI::App* add_verb(CLI::App& program, const std::string& name, const std::string& help);
+/// Adds --json, and says which documents it prints (`coppermoon describe`).
+void add_json_switch(Verb& verb, bool& value, std::vector<result::Fields> documents);
 
-/// What a verb does, once its flags are read, and its files are known to be apart
-/// (require_files_apart).
-void on_run(CLI::App& verb, std::function<void()> run);
+/// Returned  the new command, without parameters
+Verb& add_verb(Program& program, const std::string& name, const std::string& help);
+
+/// Adds --recipe, and what a command does once its parameters have their values.
+void on_run(Verb& verb, std::function<void()> run);
 
 /// Says on stderr which options have no effect beside the others. Of a recipe, which may hold all values, those that
 /// differ from the usual ones are.
-void say_what_has_no_effect(const CLI::App& verb);
+void say_what_has_no_effect(const Verb& verb);
 
 /// Whether the command line, or a recipe, gives that parameter.
-bool is_given(const CLI::App& verb, const std::string& name);
+bool is_given(const Verb& verb, std::string_view name);
+
+/// Whether the command line itself gives that parameter.
+bool is_typed(const Verb& verb, std::string_view name);
+
+/// Recipe of a command's parameters, in TOML (request::recipe_of).
+std::string recipe_of(const Verb& verb);
 
 }  // namespace coppermoon::verbs

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 #include <sstream>
@@ -14,6 +13,8 @@
 namespace coppermoon::verbs {
 namespace {
 
+using request::Kind;
+
 constexpr std::size_t page_columns = 88, text_column = 30;
 
 std::string capitals(std::string text) {
@@ -22,23 +23,12 @@ std::string capitals(std::string text) {
   return text;
 }
 
-/// Words of CLI11's list "TEXT:{a,b}".
-std::vector<std::string> words_in(const std::string& type) {
-  const auto begin = type.find(":{"), end = type.rfind('}');
-  std::vector<std::string> words;
-  if (begin == std::string::npos || end == std::string::npos) return words;
-  std::istringstream list(type.substr(begin + 2, end - begin - 2));
-  for (std::string word; std::getline(list, word, ',');) words.push_back(word);
-  return words;
-}
-
-std::string value_name(const std::string& type, const std::vector<std::string>& words) {
-  if (!words.empty()) return "WORD";
-  if (type.starts_with("NEW-FILE")) return "FILE";
-  for (const char* numbers : {"FLOAT", "UINT", "INT"})
-    if (type.starts_with(numbers)) return "NUMBER";
-  return type.starts_with("FILE") || type.starts_with("FOLDER") ? type.substr(0, type.find(' '))
-                                                                : "TEXT";
+std::string value_name(const request::Parameter& parameter) {
+  if (parameter.kind == Kind::presence) return "";
+  if (!parameter.words.empty()) return "WORD";
+  if (is_number(parameter.kind)) return "NUMBER";
+  if (parameter.kind == Kind::folder_written) return "FOLDER";
+  return parameter.kind == Kind::file_read || is_written(parameter.kind) ? "FILE" : "TEXT";
 }
 
 /// Number of characters of a UTF-8 text.
@@ -72,25 +62,24 @@ std::string row(const FlagText& flag) {
   return row(flag.names + (flag.value.empty() ? "" : " " + flag.value), flag.text);
 }
 
-FlagText text_of(const CLI::Option& option) {
-  const auto type = option.get_type_name();
-  FlagText flag;
-  flag.name = option.get_lnames().empty() ? "" : option.get_lnames().front();
-  flag.text = option.get_description();
-  flag.group = option.get_group();
-  flag.words = words_in(type);
-  flag.positional = option.get_positional();
-  flag.required = option.get_required();
-  for (const auto& name : option.get_snames()) flag.names += "-" + name + ", ";
-  flag.names += "--" + flag.name;
-  if (option.get_items_expected_max() > 0) flag.value = value_name(type, flag.words);
+FlagText text_of(const request::Parameter& parameter) {
+  FlagText flag{.name = parameter.name,
+                .names = "--" + parameter.name,
+                .value = value_name(parameter),
+                .text = parameter.meaning,
+                .group = parameter.heading.empty() ? "Options" : parameter.heading,
+                .words = parameter.words,
+                .positional = parameter.is_positional(),
+                .required = parameter.is_required,
+                .many = parameter.many};
+  if (parameter.spelling.starts_with("-") && parameter.spelling[1] != '-')
+    flag.names = parameter.spelling.substr(0, 2) + ", " + flag.names;
   const bool named = std::ranges::all_of(flag.words, [&](const std::string& word) {
     return flag.text.find(word) != std::string::npos;
   });
   if (!named) flag.text += fmt::format(": {}", fmt::join(flag.words, ", "));
-  const auto usual = option.get_default_str();
-  if (!usual.empty() && usual != "[]" && !flag.value.empty())
-    flag.text += fmt::format(" (default {})", usual);
+  if (!parameter.usual.empty() && !flag.value.empty())
+    flag.text += fmt::format(" (default {})", parameter.usual);
   return flag;
 }
 
@@ -100,37 +89,33 @@ std::string examples_of(const Guide& guide) {
   return text;
 }
 
-std::string heading(const CLI::App& verb) {
-  return fmt::format("coppermoon {} {}.\n\nUsage: coppermoon {}\n", verb.get_name(),
-                     verb.get_description(), usage_of(verb));
+std::string heading(const Verb& verb) {
+  return fmt::format("coppermoon {} {}.\n\nUsage: coppermoon {}\n", verb.name,
+                     verb.help, usage_of(verb));
 }
 
 }  // namespace
 
-std::vector<FlagText> flag_texts(const CLI::App& verb) {
+std::vector<FlagText> flag_texts(const Verb& verb) {
   std::vector<FlagText> flags;
-  for (const auto* option : verb.get_options())
-    if (!option->get_lnames().empty()) flags.push_back(text_of(*option));
+  for (const auto* parameter : flags_of(verb)) flags.push_back(text_of(*parameter));
   return flags;
 }
 
-std::string usage_of(const CLI::App& verb) {
+std::string usage_of(const Verb& verb) {
   std::string positional, required;
-  for (const auto* option : verb.get_options()) {
-    if (option->get_lnames().empty()) continue;
-    const auto flag = text_of(*option);
-    const auto many = option->get_items_expected_max() > 1 ? "..." : "";
+  for (const auto& flag : flag_texts(verb)) {
+    const auto name = capitals(flag.name) + (flag.many ? "..." : "");
     if (flag.positional)
-      positional += flag.required ? " " + capitals(flag.name) + many
-                                  : " [" + capitals(flag.name) + many + "]";
+      positional += flag.required ? " " + name : " [" + name + "]";
     else if (flag.required)
       required += fmt::format(" {} {}", flag.names.substr(0, flag.names.find(',')), flag.value);
   }
-  return fmt::format("{}{}{} [options]", verb.get_name(), positional, required);
+  return fmt::format("{}{}{} [options]", verb.name, positional, required);
 }
 
-std::string short_help(const CLI::App& verb) {
-  const auto& guide = guide_to(verb.get_name());
+std::string short_help(const Verb& verb) {
+  const auto& guide = guide_to(verb.name);
   const auto flags = flag_texts(verb);
   std::string text = heading(verb) + "\n";
   for (const auto& flag : flags)
@@ -140,11 +125,11 @@ std::string short_help(const CLI::App& verb) {
     if (const auto flag = std::ranges::find(flags, name, &FlagText::name); flag != flags.end())
       text += row(*flag);
   return text + examples_of(guide) +
-         fmt::format("\n`coppermoon {} --help-all` lists all {} options.\n", verb.get_name(),
+         fmt::format("\n`coppermoon {} --help-all` lists all {} options.\n", verb.name,
                      flags.size());
 }
 
-std::string full_help(const CLI::App& verb) {
+std::string full_help(const Verb& verb) {
   const auto flags = flag_texts(verb);
   std::vector<std::string> groups;
   for (const auto& flag : flags)
@@ -155,10 +140,10 @@ std::string full_help(const CLI::App& verb) {
     for (const auto& flag : flags)
       if (flag.group == group) text += row(flag);
   }
-  return text + examples_of(guide_to(verb.get_name()));
+  return text + examples_of(guide_to(verb.name));
 }
 
-std::string program_help(const CLI::App& program) {
+std::string program_help(const Program& program) {
   std::string text =
       "coppermoon bakes eclipsed Moons: textures, POV-Ray scenes, pictures and films of lunar "
       "eclipses.\n\nUsage: coppermoon COMMAND [options]\n";
@@ -166,18 +151,12 @@ std::string program_help(const CLI::App& program) {
     text += fmt::format("\n{}:\n", name);
     for (const auto& guide : guides)
       text += fmt::format("  {:<12}", guide.verb) +
-              wrapped(program.get_subcommand(std::string(guide.verb))->get_description(), 14);
+              wrapped(std::ranges::find(program.verbs, guide.verb, &Verb::name)->help, 14);
   }
   return text +
          "\nA first picture:\n  coppermoon still 2018-07-27 --at Nairobi -o moon.png\n\n"
          "`coppermoon COMMAND --help` explains a command, `--help-all` lists all its options.\n"
          "`coppermoon --version` prints the version.\n";
-}
-
-std::string help_called_for(const CLI::App& program, bool all) {
-  const auto called = program.get_subcommands();
-  if (called.empty()) return program_help(program);
-  return all ? full_help(*called.front()) : short_help(*called.front());
 }
 
 }  // namespace coppermoon::verbs

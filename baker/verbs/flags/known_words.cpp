@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/flags/known_words.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "request/likeness.h"
@@ -210,11 +209,10 @@ std::string suggested(std::string_view word, const Meaning (&meanings)[count],
 
 }  // namespace
 
-std::vector<std::string> long_flags(const CLI::App& verb) {
-  std::vector<std::string> flags;
-  for (const auto* option : verb.get_options())
-    for (const auto& name : option->get_lnames()) flags.push_back(name);
-  return flags;
+std::vector<std::string> names_of(const Verb& verb) {
+  std::vector<std::string> names;
+  for (const auto* parameter : flags_of(verb)) names.push_back(parameter->name);
+  return names;
 }
 
 bool holds(const std::vector<std::string>& words, std::string_view word) {

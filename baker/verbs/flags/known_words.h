@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,7 +10,7 @@
 namespace coppermoon::verbs {
 
 /// Names of a command's flags, without their dashes.
-std::vector<std::string> long_flags(const CLI::App& verb);
+std::vector<std::string> names_of(const Verb& verb);
 
 bool holds(const std::vector<std::string>& words, std::string_view word);
 

@@ -7,26 +7,25 @@
 
 #include "algebra/error.h"
 #include "uses/light/planning.h"
-#include "verbs/recipes/recipe.h"
 
 namespace coppermoon::verbs {
 
-void add_light_options(CLI::App& verb, LightOptions& options) {
+void add_light_options(Verb& verb, LightOptions& options) {
   auto& request = options.request;
   add_described(verb, request.air);
   add_described(verb, request, uses::describe_sunlight);
   add_described(verb, options.effort);
   add_described(verb, request.by_hand, uses::describe_knobs);
   add_described(verb, request, uses::describe_solver);
-  for (auto& parameter : parameters_of(verb))
+  for (auto& parameter : verb.parameters)
     if (parameter.name == "quality")  // a draft's texture is coarser too
       parameter.not_beside({{"unshadowed"}}, {"standard", "reference", "paper"});
     else if (parameter.heading == uses::air_heading || parameter.heading == uses::light_heading)
       parameter.not_beside({{"unshadowed"}});
-  options.key = [&verb] { return uses::photons_recipe(parameters_of(verb)); };
+  options.key = [&verb] { return uses::photons_recipe(verb.parameters); };
 }
 
-void add_photon_file_options(CLI::App& verb, LightOptions& options) {
+void add_photon_file_options(Verb& verb, LightOptions& options) {
   auto& files = options.request.photon_files;
   add_parsed(
       verb, "--shard", [&files](const std::string& text) { files.shard = uses::shard_from(text); },
@@ -42,8 +41,7 @@ void add_photon_file_options(CLI::App& verb, LightOptions& options) {
            "again. May be given again")
       .in(uses::light_heading)
       .of(request::Affects::share)
-      .reads_file()
-      .kept_each_time();
+      .reads_file();
 }
 
 uses::LightRequest light_request(const LightOptions& options) {

@@ -19,10 +19,10 @@ struct LightOptions {
 };
 
 /// Adds all flags of light but those that share photons among runs.
-void add_light_options(CLI::App& verb, LightOptions& options);
+void add_light_options(Verb& verb, LightOptions& options);
 
 /// Adds --shard K/N, --keep FILE, --add FILE.
-void add_photon_file_options(CLI::App& verb, LightOptions& options);
+void add_photon_file_options(Verb& verb, LightOptions& options);
 
 /// Request that the flags of light make; the quality "paper" sets several of them.
 ///

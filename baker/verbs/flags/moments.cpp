@@ -28,8 +28,8 @@ void say(const std::string& asked, const Instant& when, almanac::Calendar calend
 
 }  // namespace
 
-Flag add_moment_options(CLI::App& verb, MomentOptions& options, const std::string& more) {
-  const auto flag = add_flag(
+request::Parameter& add_moment_options(Verb& verb, MomentOptions& options, const std::string& more) {
+  auto& flag = add_flag(
       verb, "instant,--instant", options.text,
       "moment in UTC: 2018-07-27T20:21:45Z; a day alone is its greatest eclipse; a day and a "
       "contact, as 2018-07-27 U2+10min, or moonrise or moonset" +
@@ -39,7 +39,7 @@ Flag add_moment_options(CLI::App& verb, MomentOptions& options, const std::strin
   return flag;
 }
 
-void add_calendar_option(CLI::App& verb, almanac::Calendar& calendar) {
+void add_calendar_option(Verb& verb, almanac::Calendar& calendar) {
   add_choice<almanac::Calendar>(
       verb, "--calendar", calendar,
       {{"gregorian", almanac::Calendar::gregorian}, {"julian", almanac::Calendar::julian}},
@@ -47,7 +47,7 @@ void add_calendar_option(CLI::App& verb, almanac::Calendar& calendar) {
       "1582");
 }
 
-void add_zone_option(CLI::App& verb, std::string& zone) {
+void add_zone_option(Verb& verb, std::string& zone) {
   add_flag(
       verb, "--zone", zone,
       "time zone of times of day without an offset: local, that of the place, an IANA name, as "
@@ -68,21 +68,21 @@ Instant instant_of(const MomentOptions& options, const std::optional<almanac::Ob
   return moment;
 }
 
-void say_which_city(CLI::App& verb) {
+void say_which_city(Verb& verb) {
   if (!is_given(verb, "at")) return;
-  auto& at = *parameters_of(verb).find("at");
+  auto& at = *verb.parameters.find("at");
   if (const auto taken = almanac::city_taken(at.text()); !taken.empty())
     fmt::print(stderr, "coppermoon: {}\n", taken);
   if (const auto city = almanac::city_named(at.text()); city && city->own)
     at.given = {uses::exact_text(city->place)};
 }
 
-void say_what_is_utc(const CLI::App& verb) {
+void say_what_is_utc(const Verb& verb) {
   if (!is_given(verb, "at") || is_given(verb, "zone")) return;
-  const bool zoned = parameters_of(verb).find("zone") != nullptr;
+  const bool zoned = verb.parameters.find("zone") != nullptr;
   for (const char* name : {"instant", "from", "to"})
     if (is_given(verb, name))
-      if (const auto moment = parameters_of(verb).find(name)->text();
+      if (const auto moment = verb.parameters.find(name)->text();
           eclipse::is_clock_time(moment))
         fmt::print(stderr,
                    "coppermoon: {} is read as UTC; {}an offset, as {}+02:00, says otherwise\n",
@@ -92,17 +92,6 @@ void say_what_is_utc(const CLI::App& verb) {
 void say_whose_clocks(const almanac::Observer& observer) {
   if (uses::time_zone_of(observer) != almanac::nearest_city(observer).time_zone)
     fmt::print(stderr, "coppermoon: {}\n", uses::whose_clocks(observer));
-}
-
-std::vector<std::string> with_moments_joined(const std::vector<std::string>& arguments) {
-  std::vector<std::string> all;
-  for (const auto& argument : arguments) {
-    if (!all.empty() && eclipse::is_day(all.back()) && eclipse::is_contact_or_time(argument))
-      all.back() += " " + argument;
-    else
-      all.push_back(argument);
-  }
-  return all;
 }
 
 }  // namespace coppermoon::verbs

@@ -23,13 +23,13 @@ struct MomentOptions {
 /// Adds the moment, with or without --instant before it, --calendar and --zone.
 ///
 /// Given  more  for help: other things that may stand in the moment's place
-Flag add_moment_options(CLI::App& verb, MomentOptions& options, const std::string& more = "");
+request::Parameter& add_moment_options(Verb& verb, MomentOptions& options, const std::string& more = "");
 
 /// Adds --calendar.
-void add_calendar_option(CLI::App& verb, almanac::Calendar& calendar);
+void add_calendar_option(Verb& verb, almanac::Calendar& calendar);
 
 /// Adds --zone, of the clock times that a command line gives.
-void add_zone_option(CLI::App& verb, std::string& zone);
+void add_zone_option(Verb& verb, std::string& zone);
 
 /// Adds the key `calendar` to a document whose dates are not Gregorian.
 void say_calendar(nlohmann::ordered_json& document, almanac::Calendar calendar);
@@ -44,16 +44,12 @@ almanac::Instant instant_of(const MomentOptions& options,
 
 /// Says on stderr which city is taken, where the name behind --at leaves a doubt (almanac::city_taken). A city of the
 /// user's own becomes numbers in recipes, which others can read.
-void say_which_city(CLI::App& verb);
+void say_which_city(Verb& verb);
 
 /// Says on stderr which times of a command line with a place in it are read as UTC for want of an offset.
-void say_what_is_utc(const CLI::App& verb);
+void say_what_is_utc(const Verb& verb);
 
 /// Says on stderr whose clocks a place has, where no city is near (uses::whose_clocks).
 void say_whose_clocks(const almanac::Observer& observer);
-
-/// Command line in which a day and the contact or time behind it are one argument: "2018-07-27", "U2+10min" become
-/// "2018-07-27 U2+10min".
-std::vector<std::string> with_moments_joined(const std::vector<std::string>& arguments);
 
 }  // namespace coppermoon::verbs

@@ -11,7 +11,7 @@
 
 namespace coppermoon::verbs {
 
-void add_map_options(CLI::App& verb, uses::MoonRequest& request) {
+void add_map_options(Verb& verb, uses::MoonRequest& request) {
   add_described(verb, request, uses::describe_map);
   request.when_near_side_brighter = [said = std::make_shared<bool>()](double ratio) {
     if (std::exchange(*said, true)) return;
@@ -22,7 +22,7 @@ void add_map_options(CLI::App& verb, uses::MoonRequest& request) {
   };
 }
 
-void add_moon_options(CLI::App& verb, MoonOptions& options) {
+void add_moon_options(Verb& verb, MoonOptions& options) {
   add_moment_options(verb, options.moment, "; or a file that coppermoon made, to make it again")
       .required();
   add_map_options(verb, options.request);
@@ -32,7 +32,7 @@ void add_moon_options(CLI::App& verb, MoonOptions& options) {
   add_photon_file_options(verb, options.light);
 }
 
-void add_film_moon_options(CLI::App& verb, MoonOptions& options) {
+void add_film_moon_options(Verb& verb, MoonOptions& options) {
   add_map_options(verb, options.request);
   add_described(verb, options.request, uses::describe_width);
   add_light_options(verb, options.light);

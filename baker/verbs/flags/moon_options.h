@@ -19,13 +19,13 @@ struct MoonOptions {
 };
 
 /// Adds the flags of the map and the ground; a map that seems to be turned by half a circle is said on stderr.
-void add_map_options(CLI::App& verb, uses::MoonRequest& request);
+void add_map_options(Verb& verb, uses::MoonRequest& request);
 
 /// Adds all flags of the Moon of one moment.
-void add_moon_options(CLI::App& verb, MoonOptions& options);
+void add_moon_options(Verb& verb, MoonOptions& options);
 
 /// Adds the flags of a film's Moon: without a moment, and without files of photons.
-void add_film_moon_options(CLI::App& verb, MoonOptions& options);
+void add_film_moon_options(Verb& verb, MoonOptions& options);
 
 /// Request that the flags make, with its light. A draft has half as many texels per pixel.
 ///

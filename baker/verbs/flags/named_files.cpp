@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -18,6 +17,7 @@ namespace coppermoon::verbs {
 namespace {
 
 namespace fs = std::filesystem;
+using request::Kind;
 
 /// File or folder, and the flag that names it.
 struct NamedFile {
@@ -25,13 +25,12 @@ struct NamedFile {
   fs::path path;
 };
 
-std::vector<NamedFile> files_called(const char* kind, const CLI::App& verb) {
+std::vector<NamedFile> files_of(const Verb& verb, Kind kind) {
   std::vector<NamedFile> files;
-  for (const auto* option : verb.get_options()) {
-    if (option->get_type_name() != kind || option->get_lnames().empty()) continue;
-    for (const auto& path : option->results())
-      if (!path.empty()) files.push_back({"--" + option->get_lnames().front(), path});
-  }
+  for (const auto& parameter : verb.parameters)
+    if (parameter.kind == kind && parameter.given)
+      for (const auto& path : *parameter.given)
+        if (!path.empty()) files.push_back({"--" + parameter.name, path});
   return files;
 }
 
@@ -82,12 +81,8 @@ void say_space_of(const fs::path& file, colour::WorkingSpace space, std::string_
              one_line(file.string()), colour::name(space), way_out);
 }
 
-bool says_where_results_go(const CLI::Option& flag) {
-  return flag.get_type_name() == written_file || flag.get_type_name() == written_folder;
-}
-
-void require_files_apart(const CLI::App& verb) {
-  const auto read = files_called(read_file, verb), written = files_called(written_file, verb);
+void require_files_apart(const Verb& verb) {
+  const auto read = files_of(verb, Kind::file_read), written = files_of(verb, Kind::file_written);
   for (const auto& file : read) files::require_regular_file(file.path);
   for (auto file = written.begin(); file != written.end(); ++file) {
     for (const auto& other : read)
@@ -100,7 +95,7 @@ void require_files_apart(const CLI::App& verb) {
         throw algebra::Error(fmt::format("{}: {} and {} write one file, allowed two",
                                          file->path.string(), other->flag, file->flag));
   }
-  for (const auto& folder : files_called(written_folder, verb)) {
+  for (const auto& folder : files_of(verb, Kind::folder_written)) {
     if (ends_as_a_file(folder.path) && !fs::exists(folder.path))
       throw algebra::Error(fmt::format("{}: {} names a folder, allowed a name without {}",
                                        folder.path.string(), folder.flag,

@@ -10,13 +10,6 @@
 
 namespace coppermoon::verbs {
 
-/// Type names of flags that name files, in help and for the rules below.
-inline constexpr const char *read_file = "FILE", *written_file = "NEW-FILE",
-                            *written_folder = "FOLDER";
-
-/// Whether a flag names a file or folder that is written: no recipe may hold it.
-bool says_where_results_go(const CLI::Option& flag);
-
 /// Whether a name has the ending of a file, as "film.mp4".
 bool ends_as_a_file(const std::filesystem::path& name);
 
@@ -42,6 +35,6 @@ inline constexpr std::string_view other_spaces =
 ///                         a folder that is written; the recipe may stand there. When one that is
 ///                         read is no regular file. When a folder that is not there yet has a file's
 ///                         name
-void require_files_apart(const CLI::App& verb);
+void require_files_apart(const Verb& verb);
 
 }  // namespace coppermoon::verbs

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <sstream>
 
@@ -20,10 +19,10 @@ struct Command {
   std::vector<FlagText> flags;
 };
 
-std::vector<Command> commands_of(const CLI::App& program) {
+std::vector<Command> commands_of(const Program& program) {
   std::vector<Command> all;
-  for (const auto* verb : program.get_subcommands({}))
-    all.push_back({verb->get_name(), verb->get_description(), flag_texts(*verb)});
+  for (const auto& verb : program.verbs)
+    all.push_back({verb.name, verb.help, flag_texts(verb)});
   return all;
 }
 
@@ -116,7 +115,7 @@ std::string fish_flag(const Command& command, const FlagText& flag) {
 
 }  // namespace
 
-std::string bash_completion(const CLI::App& program) {
+std::string bash_completion(const Program& program) {
   std::string names, values, flags, with_files;
   for (const auto& command : commands_of(program)) {
     names += (names.empty() ? "" : " ") + command.name;
@@ -153,7 +152,7 @@ std::string bash_completion(const CLI::App& program) {
          "complete -F _coppermoon coppermoon\n";
 }
 
-std::string zsh_completion(const CLI::App& program) {
+std::string zsh_completion(const Program& program) {
   std::string names, cases;
   for (const auto& command : commands_of(program)) {
     names += "    " + in_single_quotes(command.name + ":" + escaped(command.text, ":\\")) + "\n";
@@ -172,7 +171,7 @@ std::string zsh_completion(const CLI::App& program) {
          cases + "  esac\n}\n_coppermoon \"$@\"\n";
 }
 
-std::string fish_completion(const CLI::App& program) {
+std::string fish_completion(const Program& program) {
   std::string text = "# fish completion of coppermoon\ncomplete -c coppermoon -f\n";
   for (const auto& command : commands_of(program)) {
     text += fmt::format("complete -c coppermoon -n __fish_use_subcommand -a {} -d {}\n",

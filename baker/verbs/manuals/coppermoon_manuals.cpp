@@ -2,12 +2,9 @@
 // Writes manual pages and completions into a folder: coppermoon_manuals FOLDER
 #include <fmt/format.h>
 
-#include <tbb/global_control.h>
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <memory>
 
 #include "files/whole_file.h"
 #include "verbs/command_line.h"
@@ -21,14 +18,12 @@ namespace verbs = coppermoon::verbs;
 void write_all(const std::filesystem::path& folder) {
   using coppermoon::files::write_whole;
   std::filesystem::create_directories(folder);
-  CLI::App program;
-  std::unique_ptr<tbb::global_control> threads;
-  verbs::add_words(program);
-  verbs::add_threads(program, threads);
+  verbs::Program program;
+  add_verbs(program);
   write_whole(folder / "coppermoon.1", verbs::program_manual_page(program));
-  for (const auto* verb : program.get_subcommands({}))
-    write_whole(folder / fmt::format("coppermoon-{}.1", verb->get_name()),
-                verbs::manual_page(*verb));
+  for (const auto& verb : program.verbs)
+    write_whole(folder / fmt::format("coppermoon-{}.1", verb.name),
+                verbs::manual_page(verb));
   write_whole(folder / "coppermoon.bash", verbs::bash_completion(program));
   write_whole(folder / "coppermoon.zsh", verbs::zsh_completion(program));
   write_whole(folder / "coppermoon.fish", verbs::fish_completion(program));

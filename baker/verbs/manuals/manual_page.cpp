@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 
@@ -42,7 +41,7 @@ std::string option_of(const FlagText& flag) {
   return fmt::format(".TP\n{}{}\n{}\n", bold(flag.names), value, in_roff(flag.text));
 }
 
-std::string options_of(const CLI::App& verb) {
+std::string options_of(const Verb& verb) {
   const auto flags = flag_texts(verb);
   std::vector<std::string> groups;
   for (const auto& flag : flags)
@@ -66,17 +65,17 @@ constexpr const char* exit_status =
 
 }  // namespace
 
-std::string manual_page(const CLI::App& verb) {
-  const auto& name = verb.get_name();
+std::string manual_page(const Verb& verb) {
+  const auto& name = verb.name;
   std::string text = title("coppermoon-" + name);
   text += fmt::format(".SH NAME\n{} \\- {}\n.SH SYNOPSIS\n{}\n", in_roff("coppermoon-" + name),
-                      in_roff(verb.get_description()), bold("coppermoon " + usage_of(verb)));
+                      in_roff(verb.help), bold("coppermoon " + usage_of(verb)));
   text += options_of(verb) + ".SH EXAMPLES\n";
   for (const auto line : guide_to(name).examples) text += example(line);
   return text + exit_status + ".SH SEE ALSO\n.BR coppermoon (1)\n";
 }
 
-std::string program_manual_page(const CLI::App& program) {
+std::string program_manual_page(const Program& program) {
   std::string text = title("coppermoon");
   text +=
       ".SH NAME\ncoppermoon \\- bakes eclipsed Moons\n.SH SYNOPSIS\n.B coppermoon\n"
@@ -86,10 +85,10 @@ std::string program_manual_page(const CLI::App& program) {
       "A recipe, a TOML file of options without their dashes, holds what a command is told; every "
       "file that coppermoon makes holds its own.\n.SH COMMANDS\n";
   std::string also;
-  for (const auto* verb : program.get_subcommands({})) {
-    text += fmt::format(".TP\n{}\n{}\n", bold(verb->get_name()), in_roff(verb->get_description()));
+  for (const auto& verb : program.verbs) {
+    text += fmt::format(".TP\n{}\n{}\n", bold(verb.name), in_roff(verb.help));
     also += fmt::format("{}.BR {} (1)", also.empty() ? "" : " ,\n",
-                        in_roff("coppermoon-" + verb->get_name()));
+                        in_roff("coppermoon-" + verb.name));
   }
   text +=
       ".SH OPTIONS\n.TP\n\\fB\\-\\-help\\fR\nlists the commands; behind a command, its common "

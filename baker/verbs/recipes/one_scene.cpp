@@ -2,6 +2,7 @@
 #include "verbs/recipes/one_scene.h"
 
 #include <cmath>
+#include <functional>
 
 #include "algebra/error.h"
 #include "request/recipe.h"
@@ -55,14 +56,13 @@ void require_one_meaning(const std::string& first, const std::string& other) {
   }
 }
 
-/// Recipe without the parameters that differ between exposures of one scene.
-std::string scene_in(const std::string& recipe) {
+/// Whether a setting is one that exposures of one scene may differ in.
+bool is_of_exposure(const request::Setting& setting) {
   uses::Development development;
   request::Parameters exposure;
   describe(exposure, development);
-  return request::without(recipe, [&](const std::string& name) {
-    return exposure.find(name) != nullptr || name == "noise" || name == "noise-seed";
-  });
+  return exposure.find(setting.name) != nullptr || setting.name == "noise" ||
+         setting.name == "noise-seed";
 }
 
 void require_one_recipe(const std::string& first, const std::string& other) {
@@ -70,7 +70,9 @@ void require_one_recipe(const std::string& first, const std::string& other) {
   const auto mine = texture::read_attribute(other, name),
              its = texture::read_attribute(first, name);
   if (!mine || !its) return;
-  for (const auto& [parameter, here, there] : request::differences(scene_in(*mine), scene_in(*its)))
+  for (const auto& [parameter, here, there, of_parts] :
+       request::differences(request::recipe_in(*mine, other), request::recipe_in(*its, first),
+                            std::not_fn(is_of_exposure)))
     throw algebra::Error(fmt::format("{}: its recipe has {} = {}, allowed {} as {}", other,
                                      parameter, here, there, first));
 }

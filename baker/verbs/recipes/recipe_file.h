@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "verbs/flags/flags.h"
 
@@ -13,17 +12,16 @@ namespace coppermoon::verbs {
 /// Whether a file is one of coppermoon's that holds its recipe, by its ending, or by its name in Stellarium's folder.
 bool holds_recipe(const std::filesystem::path& path);
 
-/// Flags of a recipe, which is a TOML file or stands in a file of coppermoon's. The table [atmosphere] holds parameters
-/// of the air, --atmosphere itself as `model`, and regions as [[atmosphere.region]]; [camera] likewise. Keys of other
-/// commands are passed over: one recipe serves all.
+/// Gives a command's parameters the values of a recipe, which is a TOML file or stands in a file of coppermoon's, but for
+/// those that the command line gives itself. The table [atmosphere] holds parameters of the air, --atmosphere itself as
+/// `model`, and regions as [[atmosphere.region]]; [camera] likewise. Keys of other commands are passed over: one recipe
+/// serves all.
 ///
-/// Given     mine  the user's own arguments: flags that they name are left out of the recipe's
-/// Returned  "--flag=value", in the order of the alphabet, those in [atmosphere] last
-/// Throws    WrongUsage       for a key there is not: "<file>:<line>: …", with the nearest there is
-///           algebra::Error   when the recipe cannot be read: "<file>:<line>: …"; when it has
-///                            more than 1 MiB, a text with a zero byte, or a name of 17 parts
-std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string& path,
-                                         const std::vector<std::string>& mine);
+/// Throws    WrongUsage       for a key there is not, with the nearest there is, and for a value that is none of those
+///                            allowed: "<file>:<line>: …"
+///           algebra::Error   when the recipe cannot be read (request::recipe_in), or a value is not allowed:
+///                            "<file>:<line>: …"
+void take_recipe(Verb& verb, const std::string& path);
 
 /// Says on stderr, in one line, where a file was made in the colours of another camera than a response is.
 ///

@@ -14,8 +14,8 @@ namespace coppermoon::verbs {
 ///
 /// Given   baking  gets the progress of the texture once its file is written
 /// Throws  Error  as moon_request, eclipsed_sky, uses::lit_scene
-uses::LitScene lit_scene(const CLI::App& verb, const MoonOptions& moon,
-                         const uses::ViewRequest& view, const uses::Baking& baking);
+uses::LitScene lit_scene(const Verb& verb, const MoonOptions& moon,
+                         const uses::ViewRequest& view, uses::Baking baking);
 
 /// Report of a file made from a scene.
 Report report_of(const std::string& file, const uses::LitScene& scene, double seconds);

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -86,17 +85,17 @@ bool names_file(const request::Parameter& flag, const std::string& text) {
 }
 
 /// Products of all tasks, where files that the last task alone makes add some to --make; else empty.
-std::string added_products(const CLI::App& verb, const uses::Film& film) {
-  const auto asked = make_text(products_of({.make = parameters_of(verb).find("make")->text()}));
+std::string added_products(const Verb& verb, const uses::Film& film) {
+  const auto asked = make_text(products_of({.make = verb.parameters.find("make")->text()}));
   const auto all = make_text(film.products);
   return all == asked ? "" : all;
 }
 
 /// Given  make  in place of what --make says; empty: nothing
-Flags given_flags(const CLI::App& verb, const fs::path& folder, const std::string& make) {
+Flags given_flags(const Verb& verb, const fs::path& folder, const std::string& make) {
   constexpr std::array of_the_run{"job", "recipe", "shard"};
   Flags flags;
-  for (const auto& flag : parameters_of(verb)) {
+  for (const auto& flag : verb.parameters) {
     if (flag.name == "make" && !make.empty()) {
       add_word(flags, flag, make);
       continue;
@@ -126,7 +125,7 @@ std::string action(const std::vector<std::string>& flags) {
 
 }  // namespace
 
-std::string film_job(const CLI::App& verb, const uses::Film& film, const fs::path& job_file) {
+std::string film_job(const Verb& verb, const uses::Film& film, const fs::path& job_file) {
   constexpr std::size_t usual_shards = 8;
   const auto folder = fs::absolute(job_file).lexically_normal().parent_path();
   if (!path_within(folder, ""))

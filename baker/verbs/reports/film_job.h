@@ -17,7 +17,7 @@ namespace coppermoon::verbs {
 /// Given   verb      `animate`, its flags read: the tasks get those that were given, a recipe's among them
 ///         job_file  in the current folder or above it: names of files are written relative to its folder
 /// Throws  Error     for another file; for a flag with {{, which a template would take for a name of its own
-std::string film_job(const CLI::App& verb, const uses::Film& film,
+std::string film_job(const Verb& verb, const uses::Film& film,
                      const std::filesystem::path& job_file);
 
 }  // namespace coppermoon::verbs

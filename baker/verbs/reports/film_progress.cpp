@@ -2,12 +2,12 @@
 #include "verbs/reports/film_progress.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "almanac/calendar.h"
+#include "files/standard_streams.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
 
@@ -29,7 +29,7 @@ FilmProgress::FilmProgress(const uses::Film& film, std::size_t frames, bool json
     : film_(film),
       frames_(frames),
       json_(json),
-      on_terminal_(isatty(STDERR_FILENO) != 0),
+      on_terminal_(files::errors_on_terminal()),
       start_(std::chrono::steady_clock::now()) {}
 
 FilmProgress::~FilmProgress() {

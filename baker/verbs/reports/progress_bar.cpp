@@ -2,11 +2,12 @@
 #include "verbs/reports/progress_bar.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <system_error>
+
+#include "files/standard_streams.h"
 
 namespace coppermoon::verbs {
 
@@ -14,7 +15,7 @@ using namespace std::chrono_literals;
 
 ProgressBar::ProgressBar(std::string what)
     : what_(std::move(what)),
-      on_terminal_(isatty(STDERR_FILENO) != 0),
+      on_terminal_(files::errors_on_terminal()),
       next_(std::chrono::steady_clock::now() + 1s) {}
 
 ProgressBar::~ProgressBar() {
@@ -42,7 +43,7 @@ void ProgressBar::draw(double fraction) {
 AtWork::AtWork(std::string command, std::chrono::milliseconds first,
                std::chrono::milliseconds others)
     : command_(std::move(command)) {
-  if (isatty(STDERR_FILENO) != 0) return;
+  if (files::errors_on_terminal()) return;
   try {
     saying_ = std::thread([this, first, others] { say(first, others); });
   } catch (const std::system_error&) {  // no thread: nothing is said

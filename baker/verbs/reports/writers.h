@@ -28,11 +28,10 @@ using Writers = std::vector<Writer<Result>>;
 
 /// Adds -o: files of a result, whose endings choose their writers.
 template <class Result>
-void add_outputs(CLI::App& verb, std::vector<std::string>& names, const Writers<Result>& writers) {
+void add_outputs(Verb& verb, std::vector<std::string>& names, const Writers<Result>& writers) {
   add_flag(verb, "-o,--output", names,
            fmt::format("file: {}; may be given again", files::in_words(writers)))
-      .writes_file(writers)
-      .kept_each_time();
+      .writes_file(writers);
 }
 
 /// Refuses files that cannot be written, before the work for them.

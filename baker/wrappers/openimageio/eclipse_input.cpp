@@ -6,9 +6,7 @@
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/strutil.h>
 #include <OpenImageIO/sysutil.h>
-#include <dlfcn.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -24,6 +22,7 @@
 #include "algebra/error.h"
 #include "files/cache_folder.h"
 #include "files/child_process.h"
+#include "files/loaded_library.h"
 
 namespace coppermoon::wrappers {
 namespace {
@@ -64,10 +63,8 @@ Request request_of(const std::string& name) {
 /// The program: beside the folder of this library, as the build has it; where it was installed to; or
 /// what the PATH has.
 std::string program() {
-  Dl_info info{};
   static const char mine = 0;
-  if (::dladdr(&mine, &info) == 0 || info.dli_fname == nullptr) return "coppermoon";
-  const auto folder = fs::absolute(info.dli_fname).parent_path();
+  const auto folder = files::file_that_has(&mine).parent_path();
   for (const char* programs : {"..", COPPERMOON_PROGRAMS}) {
     std::error_code failed;
     const auto path = folder / programs / "coppermoon";

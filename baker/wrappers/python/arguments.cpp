@@ -58,7 +58,10 @@ almanac::Instant instant_of_date(py::handle date) {
 }
 
 py::object datetime_of(const almanac::Instant& instant) {
-  const auto text = almanac::utc_text(instant, 3);
+  return datetime_of(almanac::utc_text(instant, 3));
+}
+
+py::object datetime_of(const std::string& text) {
   int year = 0, month = 0, day = 0, hour = 0, minute = 0, second = 0, millisecond = 0;
   const int read = std::sscanf(text.c_str(), "%4d-%2d-%2dT%2d:%2d:%2d.%3dZ", &year, &month, &day,
                                &hour, &minute, &second, &millisecond);

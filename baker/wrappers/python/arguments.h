@@ -60,6 +60,9 @@ almanac::Instant instant_of_date(py::handle date);
 /// Throws  Error  outside of the years 1 to 9999, which are all that a datetime knows
 py::object datetime_of(const almanac::Instant& instant);
 
+/// The same of utc_text's text, with milliseconds.
+py::object datetime_of(const std::string& text);
+
 /// Throws  Error  when no city has that name, or a number is outside its range
 almanac::Observer observer_of(py::handle place);
 

@@ -74,6 +74,33 @@ std::string python_word(std::string word) {
   return word;
 }
 
+/// Annotation of a value of that kind, or of one of the values of a list.
+std::string type_named(result::Kind kind, const result::Field& field) {
+  using result::Kind;
+  switch (kind) {
+    case Kind::truth:
+      return "bool";
+    case Kind::whole:
+      return "int";
+    case Kind::number:
+      return "float";
+    case Kind::word:
+      return fmt::format("Literal[\"{}\"]", fmt::join(field.words, "\", \""));
+    case Kind::instant:
+      return "datetime";
+    case Kind::numbers:
+      return "NDArray[np.float64]";
+    case Kind::list:
+      return fmt::format("list[{}]", type_named(field.of, field));
+    case Kind::by_name:
+      return fmt::format("dict[str, {}]", type_named(field.of, field));
+    case Kind::object:
+      return field.type;
+    default:
+      return "str";
+  }
+}
+
 Parameters without_some(Parameters all, const std::function<bool(const Parameter&)>& dropped) {
   Parameters left;
   for (auto& parameter : all)
@@ -217,6 +244,17 @@ std::string lines_of(const Parameters& parameters) {
   std::string text;
   for (const auto& parameter : parameters)
     text += fmt::format("{}: {}\n", name_of(parameter), meaning_of(parameter));
+  return text;
+}
+
+std::string type_of(const result::Field& field) {
+  return type_named(field.kind, field) + (field.may_be_none ? " | None" : "");
+}
+
+std::string lines_of(const result::Fields& fields) {
+  std::string text;
+  for (const auto& field : fields.all)
+    text += fmt::format("{}: {}\n", field.key, result::meaning_of(field));
   return text;
 }
 

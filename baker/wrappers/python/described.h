@@ -6,6 +6,7 @@
 #include <string>
 
 #include "request/parameter.h"
+#include "result/fields.h"
 #include "uses/dome/dome.h"
 #include "uses/light/moonlight.h"
 #include "uses/picture/baked_moon.h"
@@ -59,6 +60,12 @@ std::string signature_of(const request::Parameters& parameters);
 
 /// A line "name: meaning" for each parameter.
 std::string lines_of(const request::Parameters& parameters);
+
+/// Annotation of a result's property in the stub: "float | None".
+std::string type_of(const result::Field& field);
+
+/// A line "key: meaning [unit]" for each field.
+std::string lines_of(const result::Fields& fields);
 
 /// "Air(ozone_du=250.0)": the parameters that differ from those of a new request.
 template <class Request>

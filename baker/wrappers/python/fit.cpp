@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "uses/light/photometric_bands.h"
+#include "uses/light/photometer.h"
 #include "wrappers/python/arguments.h"
 #include "wrappers/python/computing.h"
 #include "wrappers/python/fields.h"

@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "uses/picture/brightness.h"
 #include "wrappers/python/described.h"
 
 namespace coppermoon::python {
@@ -42,6 +43,14 @@ std::string members() {
   return text;
 }
 
+template <result::Described Result>
+std::string properties() {
+  std::string text;
+  for (const auto& field : result::fields_of<Result>().all)
+    text += fmt::format("    @property\n    def {}(self) -> {}: ...\n", field.key, type_of(field));
+  return text;
+}
+
 std::map<std::string, std::string> all_parts() {
   TextureKeywords texture, brightness, fit;
   DomeKeywords dome;
@@ -49,6 +58,8 @@ std::map<std::string, std::string> all_parts() {
   return {{"    @Air@", members<uses::Air>()},
           {"    @Region@", members<uses::AirRegion>()},
           {"    @Light@", members<uses::LightRequest>()},
+          {"    @Brightness@", properties<uses::MoonBrightness>()},
+          {"    @BrightnessSeen@", properties<uses::BrightnessSeen>()},
           {"    @bake@", keywords(bake_keywords(texture), indent)},
           {"    @brightness@", keywords(brightness_keywords(brightness), indent)},
           {"    @dome@", keywords(dome_keywords(dome), indent)},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "algebra/error.h"
+#include "support/refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -14,12 +15,8 @@ TEST(RequireWithin, LetsTheEndsOfTheRangePass) {
 }
 
 TEST(RequireWithin, NamesTheValueItsUnitAndWhatIsAllowed) {
-  try {
-    require_within("wavelength [nm]", 100, 380, 780);
-    FAIL() << "no error";
-  } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "wavelength [nm] = 100, allowed 380 to 780");
-  }
+  EXPECT_EQ(refusal_of([] { require_within("wavelength [nm]", 100, 380, 780); }),
+            "wavelength [nm] = 100, allowed 380 to 780");
 }
 
 TEST(RequireWithin, NeverHoldsANaNForInside) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "algebra/error.h"
+#include "support/refusals.h"
 #include "support/within.h"
 
 namespace coppermoon::almanac {
@@ -15,13 +16,8 @@ double julian_day_ut(const Instant& instant) {
   return instant.tt_day + instant.tt_fraction - delta_t_s(instant) / 86400;
 }
 
-std::string message_for(const char* text) {
-  try {
-    instant_from_utc(text);
-  } catch (const algebra::Error& error) {
-    return error.what();
-  }
-  return "no error";
+std::string refusal(const char* text) {
+  return refusal_of([&] { instant_from_utc(text); });
 }
 
 TEST(Instant, TheEpochJ2000IsNoonTerrestrialTime) {
@@ -61,7 +57,7 @@ TEST(Instant, ASpaceStandsForTheTAndAnOffsetForTheZ) {
   EXPECT_EQ(utc_text(instant_from_utc("2008-02-21 08:56+0530")), "2008-02-21T03:26:00Z");
   for (const char* wrong : {"2008-02-21T03:26+19:00", "2008-02-21T03:26+01:60", "2008-02-21+01:00",
                             "2008-02-21T03:26Z+01:00", "2008-02-21T03:26+1"})
-    EXPECT_NE(message_for(wrong), "no error") << wrong;
+    EXPECT_NE(refusal(wrong), "") << wrong;
 }
 
 TEST(Instant, IsReadInSmallLettersAndInIsosBasicFormat) {
@@ -71,7 +67,7 @@ TEST(Instant, IsReadInSmallLettersAndInIsosBasicFormat) {
   EXPECT_EQ(utc_text(instant_from_utc("20180727T2021")), "2018-07-27T20:21:00Z");
   EXPECT_EQ(utc_text(instant_from_utc("20180727")), "2018-07-27T00:00:00Z");
   for (const char* wrong : {"2018-0727", "201807-27", "20180727T20214", "20180727T20", "2018727"})
-    EXPECT_NE(message_for(wrong), "no error") << wrong;
+    EXPECT_NE(refusal(wrong), "") << wrong;
 }
 
 TEST(Instant, TwentyFourHoursAreTheEndOfTheDay) {
@@ -80,7 +76,7 @@ TEST(Instant, TwentyFourHoursAreTheEndOfTheDay) {
   EXPECT_EQ(utc_text(instant_from_utc("1100-02-28T24:00", Calendar::julian)),
             utc_text(instant_from_utc("1100-02-29", Calendar::julian)));
   for (const char* wrong : {"2018-07-27T24:01Z", "2018-07-27T25:00Z", "2018-07-27T24:00:00.1Z"})
-    EXPECT_NE(message_for(wrong), "no error") << wrong;
+    EXPECT_NE(refusal(wrong), "") << wrong;
 }
 
 TEST(Instant, ALeapSecondIsToldInAnyZone) {
@@ -89,7 +85,7 @@ TEST(Instant, ALeapSecondIsToldInAnyZone) {
   EXPECT_EQ(utc_text(instant_from_utc("2016-12-31T16:00:00-08:00")), "2017-01-01T00:00:00Z")
       << "the leap second lies between the clock's midnight and this moment";
   for (const char* wrong : {"2016-12-31T23:59:60-08:00", "2016-12-31T15:58:60-08:00"})
-    EXPECT_NE(message_for(wrong), "no error") << wrong;
+    EXPECT_NE(refusal(wrong), "") << wrong;
 }
 
 TEST(Instant, JulianDatesAreOnTheirJulianDays) {
@@ -116,7 +112,7 @@ TEST(Instant, RoundingCarriesThroughToTheYear) {
 
 TEST(Instant, ATextThatIsNoDateIsNamedWithAnExample) {
   EXPECT_EQ(
-      message_for("next Tuesday"),
+      refusal("next Tuesday"),
       "date \"next Tuesday\": allowed is an ISO 8601 date of the years -1999 to 3000, such as "
       "2026-03-03, 2026-03-03T11:33:43Z or 2026-03-03T13:33:43+02:00");
 }

@@ -13,6 +13,7 @@
 #include "atmosphere/density.h"
 #include "atmosphere/ozone.h"
 #include "atmosphere/rayleigh.h"
+#include "support/refusals.h"
 #include "support/within.h"
 
 namespace coppermoon::atmosphere {
@@ -127,38 +128,33 @@ TEST(VerticalRayleighOpticalDepth, IsThePublishedOneOfTheWholeAtmosphere) {
                            "0.1 to 0.8 % less cross-section; 0.2 % is the fall of gravity");
 }
 
-std::string refused(const Atmosphere& atmosphere) {
-  try {
-    require_valid(atmosphere);
-  } catch (const algebra::Error& error) {
-    return error.what();
-  }
-  return "";
+std::string refusal(const Atmosphere& atmosphere) {
+  return refusal_of([&] { require_valid(atmosphere); });
 }
 
 TEST(RequireValid, LetsTheDefaultsAndTheEndsOfTheRangesPass) {
-  EXPECT_EQ(refused({}), "");
-  EXPECT_EQ(refused({.column = {.ozone_du = 1000, .dust_extinction_per_m = 0.01}}), "");
-  EXPECT_EQ(refused({.column = {.dust_bottom_m = 0, .dust_top_m = 42e3}}), "");
+  EXPECT_EQ(refusal({}), "");
+  EXPECT_EQ(refusal({.column = {.ozone_du = 1000, .dust_extinction_per_m = 0.01}}), "");
+  EXPECT_EQ(refusal({.column = {.dust_bottom_m = 0, .dust_top_m = 42e3}}), "");
 }
 
 TEST(RequireValid, NamesTheTermItsUnitAndWhatIsAllowed) {
-  EXPECT_EQ(refused({.column = {.ozone_du = -1}}), "ozone [DU] = -1, allowed 0 to 1000");
-  EXPECT_EQ(refused({.column = {.dust_extinction_per_m = 2}}),
+  EXPECT_EQ(refusal({.column = {.ozone_du = -1}}), "ozone [DU] = -1, allowed 0 to 1000");
+  EXPECT_EQ(refusal({.column = {.dust_extinction_per_m = 2}}),
             "dust extinction [1/m] = 2, allowed 0 to 0.01");
-  EXPECT_EQ(refused({.column = {.dust_bottom_m = -1}}),
+  EXPECT_EQ(refusal({.column = {.dust_bottom_m = -1}}),
             "dust bottom [km] = -0.001, allowed 0 to 86");
-  EXPECT_EQ(refused({.column = {.dust_top_m = 14e3}}), "dust top [km] = 14, allowed 15 to 86");
-  EXPECT_EQ(refused({.column = {.tropospheric_optical_depth = -1}}),
+  EXPECT_EQ(refusal({.column = {.dust_top_m = 14e3}}), "dust top [km] = 14, allowed 15 to 86");
+  EXPECT_EQ(refusal({.column = {.tropospheric_optical_depth = -1}}),
             "tropospheric optical depth = -1, allowed 0 to 10");
-  EXPECT_EQ(refused({.column = {.cloud_top_m = 31e3}}), "cloud top [km] = 31, allowed 0 to 30");
-  EXPECT_EQ(refused({.column = {.cloud_cover = 70}}), "cloud cover = 70, allowed 0 to 1");
+  EXPECT_EQ(refusal({.column = {.cloud_top_m = 31e3}}), "cloud top [km] = 31, allowed 0 to 30");
+  EXPECT_EQ(refusal({.column = {.cloud_cover = 70}}), "cloud cover = 70, allowed 0 to 1");
 }
 
 TEST(RequireValid, LooksAtTheEarthItself) {
-  EXPECT_EQ(refused({.earth = {.equatorial_radius_m = 0}}),
+  EXPECT_EQ(refusal({.earth = {.equatorial_radius_m = 0}}),
             "Earth's radius [m] = 0, allowed 1e+06 to 1e+07");
-  EXPECT_EQ(refused({.earth = {.polar_radius_m = 1}}),
+  EXPECT_EQ(refusal({.earth = {.polar_radius_m = 1}}),
             "Earth's polar radius [m] = 1, allowed 5.7402e+06 to 7.0158e+06");
 }
 
@@ -186,12 +182,12 @@ TEST(SharesAt, OfBeltsAreStraightFromOneToTheNextAndAlikeToEastAndWest) {
   EXPECT_EQ(air.shares_at(4.5)[0].column, 3U);
   EXPECT_TRUE(air.belted());
   EXPECT_FALSE(air.symmetric());
-  EXPECT_EQ(refused({.belts = {{1, {}}, {0.5, {}}}}),
+  EXPECT_EQ(refusal({.belts = {{1, {}}, {0.5, {}}}}),
             "belt's angle from north [radians] = 0.5, allowed 1 to 3.14159");
 }
 
 TEST(RequireValid, LooksIntoTheRegions) {
-  EXPECT_EQ(refused({.regions = {{degrees(0), degrees(90), {.ozone_du = 2000}}}}),
+  EXPECT_EQ(refusal({.regions = {{degrees(0), degrees(90), {.ozone_du = 2000}}}}),
             "ozone [DU] = 2000, allowed 0 to 1000");
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "algebra/error.h"
+#include "support/refusals.h"
 #include "support/within.h"
 
 namespace coppermoon::atmosphere {
@@ -78,14 +79,9 @@ TEST(Preset, AreAllValidAndOfTheirOrder) {
 }
 
 TEST(Preset, RefusesANameThereIsNot) {
-  try {
-    preset("venus", {});
-    FAIL();
-  } catch (const algebra::Error& error) {
-    EXPECT_EQ(
-        std::string(error.what()),
-        "atmosphere = venus, allowed paper, molecular, clear, undated, standard, calibrated, none");
-  }
+  EXPECT_EQ(
+      refusal_of([] { preset("venus", {}); }),
+      "atmosphere = venus, allowed paper, molecular, clear, undated, standard, calibrated, none");
 }
 
 }  // namespace

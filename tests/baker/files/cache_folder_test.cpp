@@ -8,17 +8,17 @@
 
 #include <atomic>
 #include <cstdlib>
-#include <optional>
 #include <thread>
 
 #include "baker/texture/scratch_folder.h"
+#include "files/lock.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 using coppermoon::algebra::Error;
-using coppermoon::files::FileLock;
 using coppermoon::files::is_users_own;
+using coppermoon::files::lock_file;
 using coppermoon::files::make_private_folder;
 
 using CacheFolder = ScratchFolder;
@@ -70,19 +70,19 @@ TEST_F(CacheFolder, ThatCannotBeMadeNamesItsVariable) {
 }
 
 TEST_F(CacheFolder, LocksOneFileForOneAtATime) {
-  std::optional<FileLock> first(std::in_place, in_folder("a.tx"), not_asked);
-  const FileLock other(in_folder("b.tx"), not_asked);
+  auto first = lock_file(in_folder("a.tx"), not_asked);
+  const auto other = lock_file(in_folder("b.tx"), not_asked);
   EXPECT_EQ(permissions_of(in_folder(".a.tx.lock")), 0600u);
   std::atomic<bool> free = false, asked = false, had = false;
   {
     std::jthread waiting([&] {
-      const FileLock second(in_folder("a.tx"), [&] { asked = true; });
+      const auto second = lock_file(in_folder("a.tx"), [&] { asked = true; });
       EXPECT_TRUE(free);
       had = true;
     });
     while (!asked) std::this_thread::yield();
     free = true;
-    first.reset();
+    first.close();
   }
   EXPECT_TRUE(had);
 }
@@ -90,12 +90,12 @@ TEST_F(CacheFolder, LocksOneFileForOneAtATime) {
 TEST_F(CacheFolder, WaitsForNobodyWhoMayOnlyReadIt) {
   const int reader = ::open(in_folder(".").c_str(), O_RDONLY | O_DIRECTORY);
   ASSERT_EQ(::flock(reader, LOCK_EX), 0);
-  { const FileLock lock(in_folder("a.tx"), not_asked); }
+  lock_file(in_folder("a.tx"), not_asked).close();
   ::close(reader);
   const int stranger = ::open(in_folder(".b.tx.lock").c_str(), O_RDWR | O_CREAT, 0666);
   ASSERT_EQ(::flock(stranger, LOCK_EX), 0);
   if (::fchown(stranger, other_user, other_user) == 0)
-    const FileLock lock(in_folder("b.tx"), not_asked);
+    lock_file(in_folder("b.tx"), not_asked).close();
   ::close(stranger);
 }
 

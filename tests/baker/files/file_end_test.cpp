@@ -1,25 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "files/file_end.h"
 
-#include <fcntl.h>
-
 #include "baker/texture/scratch_folder.h"
-#include "files/child_process.h"
 
 namespace {
 
 using namespace std::string_literals;
-using coppermoon::files::FileDescriptor;
 using coppermoon::files::has_its_end;
+using coppermoon::files::opened;
 
 class FileEnd : public ScratchFolder {
  protected:
-  bool is_whole(const std::string& bytes) const {
-    const auto path = file("a", bytes);
-    FileDescriptor descriptor;
-    descriptor.number = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    return has_its_end(descriptor.number);
-  }
+  bool is_whole(const std::string& bytes) const { return has_its_end(opened(file("a", bytes))); }
 };
 
 /// Smallest files of their kinds: what stands between head and end is not looked at.

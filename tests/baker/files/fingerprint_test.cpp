@@ -15,5 +15,13 @@ TEST(Fingerprint, TellsOneBitApart) {
   EXPECT_NE(fingerprint("moon"), fingerprint(std::string_view("moon\0", 5)));
 }
 
+TEST(Fingerprint, OfPiecesIsThatOfTheWhole) {
+  int pieces = 0;
+  const auto next = [&] { return std::string(pieces++ < 300 ? "moon" : ""); };
+  std::string whole;
+  for (int i = 0; i < 300; ++i) whole += "moon";
+  EXPECT_EQ(fingerprint_of_pieces(next), fingerprint(whole));
+}
+
 }  // namespace
 }  // namespace coppermoon::files

@@ -6,7 +6,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <chrono>
 #include <string>
 #include <thread>
@@ -37,12 +36,10 @@ TEST(TemporaryFolder, GoesWithAProgramThatIsKilledAndAllOfItsGroup) {
     ::setpgid(0, 0);
     const TemporaryFolder folder;
     const std::string path = folder.path();
-    if (::write(name.in.number, path.data(), path.size()) > 0) ::pause();
+    if (::write(static_cast<int>(name.in.number), path.data(), path.size()) > 0) ::pause();
     ::_exit(1);
   }
-  std::array<char, 4096> buffer{};
-  ASSERT_GT(::read(name.out.number, buffer.data(), buffer.size() - 1), 0);
-  const std::filesystem::path path = buffer.data();
+  const std::filesystem::path path = read_some(name.out);
   EXPECT_TRUE(std::filesystem::is_directory(path));
   ::kill(-program, SIGKILL);
   ::waitpid(program, nullptr, 0);

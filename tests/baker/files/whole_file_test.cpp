@@ -135,7 +135,7 @@ TEST_F(WholeFile, LeavesNothingHalfWrittenWhateverEndsTheProgram) {
   write_whole(path, "old");
   for (const int signal : {SIGTERM, SIGKILL}) {
     const auto child = ::fork();
-    if (child == 0) write_whole(path, [&](int) { std::raise(signal); });
+    if (child == 0) write_whole(path, [&](const auto&) { std::raise(signal); });
     int status = 0;
     ::waitpid(child, &status, 0);
     EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal);
@@ -173,8 +173,8 @@ TEST_F(WholeFile, FollowsALinkToWhatIsNotThereYet) {
 
 TEST_F(WholeFile, LeavesTheOldOneWhenTheFillingFails) {
   const auto path = file("a.txt", "old");
-  const auto fail = [](int descriptor) {
-    ASSERT_EQ(::write(descriptor, "half", 4), 4);
+  const auto fail = [](const coppermoon::files::Handle& made) {
+    ASSERT_FALSE(write_at(made, 0, "half"));
     throw Error("stopped");
   };
   EXPECT_ERROR(write_whole(path, fail), "stopped");

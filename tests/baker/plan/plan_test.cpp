@@ -5,6 +5,7 @@
 
 #include "algebra/error.h"
 #include "plan/laws.h"
+#include "support/refusals.h"
 #include "support/within.h"
 
 namespace coppermoon::plan {
@@ -283,14 +284,9 @@ TEST(PlanFor, RefusesWishesOutsideTheirRanges) {
   for (const double budget_s : {9e-4, 1.1e7, -1.})
     EXPECT_THROW(plan_for(ordinary(), {.budget_s = budget_s}, {}), algebra::Error) << budget_s;
   EXPECT_THROW(plan_for(ordinary(), {}, {}), algebra::Error) << "nothing asked for";
-  try {
-    within(0.7, ordinary());
-  } catch (const algebra::Error& error) {
-    const std::string text = error.what();
-    EXPECT_NE(text.find("tolerance"), std::string::npos) << text;
-    EXPECT_NE(text.find("0.7"), std::string::npos) << text;
-    EXPECT_NE(text.find("0.5"), std::string::npos) << text;
-  }
+  const auto text = refusal_of([] { within(0.7, ordinary()); });
+  for (const char* part : {"tolerance", "0.7", "0.5"})
+    EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 
 TEST(Name, TellsTheSolversApart) {

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-coppermoon_tests(baker/request LINKS coppermoon::request QUICK parameter)
+coppermoon_tests(baker/request LINKS coppermoon::request QUICK likeness parameter recipe)

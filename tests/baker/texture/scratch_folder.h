@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "algebra/error.h"
+#include "support/refusals.h"
 
 /// An empty folder of its own for each test, gone afterwards.
 class ScratchFolder : public testing::Test {
@@ -42,21 +43,10 @@ inline std::string bytes_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// What an action's Error says; empty when it threw none.
-template <class Action>
-std::string error_of(Action action) {
-  try {
-    action();
-  } catch (const coppermoon::algebra::Error& error) {
-    return error.what();
-  }
-  return {};
-}
-
 /// One line that says what is wanted.
 #define EXPECT_ERROR(action, part)                                    \
   do {                                                                \
-    const std::string text = error_of([&] { action; });               \
+    const std::string text = coppermoon::refusal_of([&] { action; }); \
     EXPECT_NE(text.find(part), std::string::npos) << "got: " << text; \
     EXPECT_EQ(text.find('\n'), std::string::npos) << "got: " << text; \
   } while (false)

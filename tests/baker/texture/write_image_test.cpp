@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "texture/write_image.h"
+#include "support/refusals.h"
 
 #include <OpenImageIO/imageio.h>
 #include <sys/resource.h>
@@ -158,7 +159,7 @@ TEST_F(WriteImage, RefusesWhatHalfCannotHold) {
   EXPECT_ERROR(write_exr(path, one_texel(INFINITY), {}), place + std::string("inf"));
   EXPECT_ERROR(write_exr(path, one_texel(-1e-3F), {}), place + std::string("-0.001"));
   EXPECT_EQ(files_in_folder(), 0);
-  EXPECT_EQ(error_of([&] { write_exr(path, one_texel(65504), {}); }), "");
+  EXPECT_EQ(coppermoon::refusal_of([&] { write_exr(path, one_texel(65504), {}); }), "");
   EXPECT_EQ(read_image(path)(0, 1, 2), 65504.0F);
 }
 
@@ -190,7 +191,7 @@ TEST_F(WriteImage, RefusesImagesThatDoNotHangTogether) {
 TEST_F(WriteImage, RefusesAttributesThatWouldBeLost) {
   const auto path = in_folder("a.exr");
   const auto with = [&](const char* name, const Attribute& value) {
-    return error_of([&] { write_exr(path, one_texel(1), {{name, value}}); });
+    return coppermoon::refusal_of([&] { write_exr(path, one_texel(1), {{name, value}}); });
   };
   EXPECT_EQ(with("chromaticities", std::vector<float>(6)),
             "image attribute chromaticities, allowed 8 numbers");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "uses/film/film_folder.h"
+#include "support/refusals.h"
 
 #include <unistd.h>
 
@@ -24,7 +25,7 @@ class FolderOfAFilm : public testing::Test {
     film_.folder = ::mkdtemp(name.data());
     film_.products.pictures = true;
     film_.moments.frames.resize(3);
-    film_.record.recipe = "iso = 800\n";
+    film_.record.recipe = request::recipe_in("iso = 800\n");
     film_.record.way_out = ", or sleep";
   }
   ~FolderOfAFilm() override { fs::remove_all(film_.folder); }
@@ -38,7 +39,7 @@ class FolderOfAFilm : public testing::Test {
   void write(const fs::path& picture, int frame) const { write(picture, frame, film_.record); }
 
   Film film_;
-  FilmRecord foreign_{.recipe = "iso = 100\n"};
+  FilmRecord foreign_{.recipe = request::recipe_in("iso = 100\n")};
 };
 
 TEST_F(FolderOfAFilm, HoldsAFrameThatIsWholeAndItsOwn) {
@@ -56,14 +57,10 @@ TEST_F(FolderOfAFilm, IsOneFilms) {
   EXPECT_NO_THROW(require_own(film_, false));
   write(film_.picture(1), 1, foreign_);
   EXPECT_FALSE(is_made(film_, 1));
-  try {
-    require_own(film_, false);
-    ADD_FAILURE() << "was not refused";
-  } catch (const algebra::Error& error) {
-    EXPECT_EQ(error.what(), film_.folder.string() +
-                                ": holds a film made with iso = 100, asked 800 (frame.0001.png), "
-                                "allowed another folder, or sleep");
-  }
+  EXPECT_EQ(refusal_of([&] { require_own(film_, false); }),
+            film_.folder.string() +
+                ": holds a film made with iso = 100, asked 800 (frame.0001.png), "
+                "allowed another folder, or sleep");
 }
 
 TEST_F(FolderOfAFilm, IsOneFilmsForAsLongAsItIsMade) {

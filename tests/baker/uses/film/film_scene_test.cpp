@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "uses/film/film_scene.h"
+#include "support/refusals.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -46,14 +47,7 @@ TEST_F(FilmScene, HasTheContentsOfTheFilesThatItNames) {
 
 TEST_F(FilmScene, IsRefusedWhereItCannotBeRendered) {
   Film film;
-  const auto refusal = [&] {
-    try {
-      require_scene(film);
-    } catch (const algebra::Error& error) {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
+  const auto refusal = [&] { return refusal_of([&] { require_scene(film); }); };
   film.scene = "lake.png";
   EXPECT_EQ(refusal(), "lake.png: a scene of POV-Ray ends in .pov");
   film.scene = folder_ / "sea.pov";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "uses/film/film_times.h"
+#include "support/refusals.h"
 
 #include <string>
 
@@ -25,13 +26,8 @@ FilmTimes times(const char* from, const char* to) {
 
 FilmTimes an_hour() { return times("2018-07-27T19:00Z", "2018-07-27T20:00Z"); }
 
-std::string message_of(const FilmTimes& times) {
-  try {
-    moments_of(times);
-  } catch (const algebra::Error& error) {
-    return error.what();
-  }
-  return "";
+std::string refusal_of(const FilmTimes& times) {
+  return coppermoon::refusal_of([&] { moments_of(times); });
 }
 
 TEST(FilmTimes, AreEvenFromTheFirstMomentToTheLast) {
@@ -103,11 +99,11 @@ TEST(FilmTimes, ThatCannotBeAreSaid) {
   const auto refused = [](auto change) {
     auto times = an_hour();
     change(times);
-    return message_of(times);
+    return refusal_of(times);
   };
-  EXPECT_EQ(message_of(times("2018-07-27T20:00Z", "2018-07-27T19:00Z")),
+  EXPECT_EQ(refusal_of(times("2018-07-27T20:00Z", "2018-07-27T19:00Z")),
             "from 2018-07-27T20:00:00Z to 2018-07-27T19:00:00Z are -3600 s, allowed 0 to 86400");
-  EXPECT_NE(message_of(times("2018-07-27", "2018-08-27")), "") << "a month";
+  EXPECT_NE(refusal_of(times("2018-07-27", "2018-08-27")), "") << "a month";
   EXPECT_EQ(refused([](auto& t) { t.frames = 0; }), "frames = 0, allowed 1 to 1e+06");
   EXPECT_EQ(refused([](auto& t) { t.frames = 9, t.time_scale = 60; }),
             "frames = 9 and time-scale = 60, allowed one of the two");

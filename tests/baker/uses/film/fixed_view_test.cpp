@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "uses/film/fixed_view.h"
+#include "uses/film/film_setup.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "uses/film/frame_range.h"
+#include "uses/film/film_times.h"
 
 #include <gtest/gtest.h>
 

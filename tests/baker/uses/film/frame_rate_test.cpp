@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "uses/film/frame_rate.h"
+#include "support/refusals.h"
+#include "uses/film/film_times.h"
 
 #include <gtest/gtest.h>
 
@@ -8,13 +9,8 @@
 namespace coppermoon::uses {
 namespace {
 
-std::string message_of(const std::string& text) {
-  try {
-    frame_rate_from(text);
-  } catch (const algebra::Error& error) {
-    return error.what();
-  }
-  return "";
+std::string refusal(const char* text) {
+  return refusal_of([&] { frame_rate_from(text); });
 }
 
 TEST(FrameRates, OfTelevisionAreRatiosHoweverTheyAreWritten) {
@@ -44,13 +40,13 @@ TEST(FrameRates, OfOtherNumbersAreThoseNumbers) {
 }
 
 TEST(FrameRates, ThatCannotBeAreSaid) {
-  EXPECT_EQ(message_of("0"), "fps = 0, allowed 1 to 1000");
-  EXPECT_EQ(message_of("film"), "fps = film, allowed 1 to 1000, as 24, 23.976 or 24000/1001");
+  EXPECT_EQ(refusal("0"), "fps = 0, allowed 1 to 1000");
+  EXPECT_EQ(refusal("film"), "fps = film, allowed 1 to 1000, as 24, 23.976 or 24000/1001");
   for (const char* text :
        {"24000/0", "24000/-1001", "1/2", "2001/2", "24/", "/1", "2.5/1", "24/20000"})
-    EXPECT_EQ(message_of(text), std::string("fps = ") + text +
-                                    ", allowed 1 to 1000, a ratio of whole numbers with 1 to 10000 "
-                                    "below");
+    EXPECT_EQ(refusal(text), std::string("fps = ") + text +
+                                 ", allowed 1 to 1000, a ratio of whole numbers with 1 to 10000 "
+                                 "below");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "uses/light/disc_brightness.h"
+#include "uses/light/photometer.h"
 
 #include <glm/geometric.hpp>
 #include <numbers>

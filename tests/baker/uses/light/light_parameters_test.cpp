@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "uses/light/light_parameters.h"
+#include "support/refusals.h"
 
 #include <fmt/format.h>
 
@@ -17,16 +18,6 @@ namespace {
 Effort toleranced(const char* text) { return {.tolerance = text}; }
 Effort budgeted(const char* text) { return {.budget = text}; }
 
-template <typename Function>
-std::string error_of(const Function& function) {
-  try {
-    function();
-  } catch (const algebra::Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 constexpr const char* rounding = "a decimal times a hundredth or a thousandth";
 
 TEST(WishOf, ReadsATolerancePerHundred) {
@@ -39,7 +30,7 @@ TEST(WishOf, ReadsATolerancePerHundred) {
 TEST(WishOf, RefusesATolerancePerHundredOutOfRange) {
   for (const char* text : {"60%", "0.009%", "-1%"})
     EXPECT_EQ(
-        error_of([&] { wish_of(toleranced(text)); }),
+        refusal_of([&] { wish_of(toleranced(text)); }),
         "tolerance [%] = " + std::string(text, std::strlen(text) - 1) + ", allowed 0.01 to 50");
 }
 
@@ -47,7 +38,7 @@ TEST(WishOf, RefusesAToleranceWithAQualityThatSaysAnother) {
   for (const char* quality : {"draft", "reference", "paper"}) {
     auto options = toleranced("0.1%");
     options.quality = quality;
-    EXPECT_EQ(error_of([&] { wish_of(options); }),
+    EXPECT_EQ(refusal_of([&] { wish_of(options); }),
               "tolerance = 0.1%, allowed with quality standard, not " + std::string(quality));
   }
 }
@@ -60,11 +51,11 @@ TEST(WishOf, ReadsABudgetInSecondsUnlessItSaysOtherwise) {
 
 TEST(WishOf, RefusesOtherWordsInOneLineThatNamesThem) {
   for (const char* text : {"", "%", "fine", "0.1", "1 percent", "1%%", "one%", "1s"}) {
-    const auto error = error_of([&] { wish_of(toleranced(text)); });
+    const auto error = refusal_of([&] { wish_of(toleranced(text)); });
     EXPECT_EQ(error, "tolerance = " + std::string(text) + ", allowed a percentage as 0.1%");
   }
   for (const char* text : {"", "s", "soon", "2h", "1%", "2 s s", "ms"}) {
-    const auto error = error_of([&] { wish_of(budgeted(text)); });
+    const auto error = refusal_of([&] { wish_of(budgeted(text)); });
     EXPECT_EQ(error, "budget = " + std::string(text) + ", allowed a time as 500ms, 2s or 1min");
   }
 }
@@ -124,7 +115,7 @@ TEST(Knobs, AreRefusedOutsideTheirRanges) {
           << knob.name << " " << outside;
   }
   EXPECT_EQ(ranges, 5);
-  const auto error = error_of([] { knobs({{"bands", "401"}}); });
+  const auto error = refusal_of([] { knobs({{"bands", "401"}}); });
   for (const char* part : {"bands", "401", "400"})
     EXPECT_NE(error.find(part), std::string::npos) << error;
 }
@@ -148,24 +139,19 @@ TEST(LeaveOut, OfNoneKeepsAllTermsWhateverTheirSize) {
 
 TEST(LeaveOut, RefusesOtherWordsAndSaysWhichThereAre) {
   for (const char* words : {"elipsoid", "ellipsoid,moon", "ellipsoid, regions", "none,regions"})
-    EXPECT_EQ(error_of([&] { without(words); }),
+    EXPECT_EQ(refusal_of([&] { without(words); }),
               "leave-out = " + std::string(words) +
                   ", allowed none or refracted-light, ellipsoid, regions, scattered-light, with "
                   "commas between");
 }
 
-/// Knobs that a recipe's lines above all tables give.
-plan::ByHand knobs_in(const std::string& recipe) {
+/// Knobs that a recipe gives.
+plan::ByHand knobs_in(const request::Recipe& recipe) {
   plan::ByHand hand;
   request::Parameters all;
   describe_knobs(all, hand);
-  std::istringstream lines(recipe.substr(0, recipe.find("\n[")));
-  for (std::string line; std::getline(lines, line);) {
-    const auto sign = line.find(" = ");
-    auto text = line.substr(sign + 3);
-    std::erase(text, '\'');
-    if (auto* knob = all.find(line.substr(0, sign))) knob->take({text});
-  }
+  for (auto& knob : all)
+    if (const auto* setting = setting_in(recipe, knob.name)) knob.take(setting->texts);
   return hand;
 }
 
@@ -177,10 +163,10 @@ const plan::Work planned{.regions = false,
                          .planes = 3,
                          .place_error = 3e-4};
 
-const std::string asked =
+const auto asked = request::recipe_in(
     "instant = '2008-02-21'\ntolerance = '1%'\nbudget = '2s'\nbands = 7\nphotons = 5\n"
     "quality = 'draft'\n\n[atmosphere]\nmodel = 'clear'\n\n[[atmosphere.region]]\n"
-    "from-latitude = -90\nto-latitude = 0\n";
+    "from-latitude = -90\nto-latitude = 0\n");
 
 TEST(WithWork, ComesBackAsTheSameWork) {
   const auto hand = knobs_in(with_work(asked, planned));
@@ -195,30 +181,24 @@ TEST(WithWork, ComesBackAsTheSameWork) {
 }
 
 TEST(WithWork, TakesThePlaceOfWhatWasAskedFor) {
-  const auto recipe = with_work(asked, planned);
+  const auto recipe = text_of(with_work(asked, planned));
   for (const char* gone : {"tolerance", "budget", "bands = 7", "photons"})
     EXPECT_EQ(recipe.find(gone), std::string::npos) << gone;
-  for (const char* kept : {"instant = '2008-02-21'\n", "quality = 'draft'\n"})
+  for (const char* kept :
+       {"instant = '2008-02-21'\n", "quality = 'draft'\n", "\n[[atmosphere.region]]\n"})
     EXPECT_NE(recipe.find(kept), std::string::npos) << kept;
-}
-
-TEST(WithWork, LeavesTablesBehindAllKeys) {
-  const auto recipe = with_work(asked, planned);
-  const auto tables = asked.substr(asked.find("\n[atmosphere]"));
-  EXPECT_TRUE(recipe.ends_with(tables)) << recipe;
-  EXPECT_EQ(recipe.find('['), recipe.size() - tables.size() + 1);
 }
 
 TEST(WithWork, DoneTwiceIsDoneOnce) {
   const auto once = with_work(asked, planned);
-  EXPECT_EQ(with_work(once, planned), once);
+  EXPECT_EQ(text_of(with_work(once, planned)), text_of(once));
 }
 
 TEST(WithWork, SaysHowManyPhotonsWhereThereAreAny) {
   auto work = planned;
-  EXPECT_NE(with_work(asked, work).find("solver = 'quadrature'\n"), std::string::npos);
+  EXPECT_EQ(setting_in(with_work(asked, work), "solver")->texts, request::Texts{"quadrature"});
   work.solver = plan::Solver::table, work.photons = 2048;
-  const auto recipe = with_work(asked, work);
+  const auto recipe = text_of(with_work(asked, work));
   EXPECT_NE(recipe.find("solver = 'photons'\nphotons = 2048\n"), std::string::npos) << recipe;
 }
 

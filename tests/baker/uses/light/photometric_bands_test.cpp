@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "uses/light/photometric_bands.h"
+#include "uses/light/photometer.h"
 
 #include "support/within.h"
 #include "uses/light/spectral_bands.h"

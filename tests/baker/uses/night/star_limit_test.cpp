@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "uses/night/star_limit.h"
+#include "uses/night/night_light.h"
 
 #include "atmosphere/sky_luminance.h"
 #include "support/within.h"

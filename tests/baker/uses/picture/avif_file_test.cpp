@@ -2,6 +2,7 @@
 #include "uses/picture/avif_file.h"
 
 #include "support/helper_folder.h"
+#include "support/refusals.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -11,7 +12,7 @@ using AvifFile = HelperFolder;
 TEST_F(AvifFile, ThatItsProgramDoesNotWriteIsSaid) {
   stand_in("avifenc", "exit 0");
   const texture::Image picture(2, 2, {"R", "G", "B"});
-  EXPECT_EQ(refusal([&] { write_avif(here() / "a.avif", picture); }),
+  EXPECT_EQ(refusal_of([&] { write_avif(here() / "a.avif", picture); }),
             "avifenc: ended without a result");
   EXPECT_FALSE(std::filesystem::exists(here() / "a.avif"));
 }
@@ -19,7 +20,7 @@ TEST_F(AvifFile, ThatItsProgramDoesNotWriteIsSaid) {
 TEST_F(AvifFile, ThatItsProgramCutsOffIsSaid) {
   stand_in("avifenc", "printf '\\0\\0\\0\\20ftypavif' > picture.avif");
   const texture::Image picture(2, 2, {"R", "G", "B"});
-  EXPECT_EQ(refusal([&] { write_avif(here() / "a.avif", picture); }),
+  EXPECT_EQ(refusal_of([&] { write_avif(here() / "a.avif", picture); }),
             "avifenc: its file is cut off after 12 bytes; is the disk full?");
   EXPECT_FALSE(std::filesystem::exists(here() / "a.avif"));
 }

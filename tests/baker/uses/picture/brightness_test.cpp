@@ -8,7 +8,7 @@
 #include "algebra/error.h"
 #include "almanac/gazetteer.h"
 #include "support/within.h"
-#include "uses/light/photometric_bands.h"
+#include "uses/light/photometer.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -29,13 +29,14 @@ struct Night {
         light_curve(moon, moments_between(from, almanac::later(from, 6.2 * 3600), step_min), view);
   }
   const std::vector<double>& operator[](const std::string& name) const {
-    return std::ranges::find(curve.columns, name, &LightCurve::Column::first)->second;
+    return std::ranges::find(curve.columns, name, &result::Column::first)->second;
   }
   /// Number of the moment at or before a time of that day.
   std::size_t at(const std::string& time) const {
     const auto when = almanac::instant_from_utc("2004-10-28T" + time + "Z");
     return static_cast<std::size_t>(
-        almanac::seconds_between(curve.moments[0], when) / (60 * step_min) + 1e-6);
+        almanac::seconds_between(curve.moments[0].brightness.instant, when) / (60 * step_min) +
+        1e-6);
   }
 };
 
@@ -47,8 +48,8 @@ const Night& night() {
 TEST(LightCurve, IsTheBrightnessOfItsMoments) {
   for (const char* time : {"01:20", "02:40", "03:00"}) {  // partial, total, near greatest
     const auto i = night().at(time);
-    const auto one =
-        brightness_of(night().moon, almanac::sky_at(night().curve.moments[i]), night().view);
+    const auto one = brightness_of(
+        night().moon, almanac::sky_at(night().curve.moments[i].brightness.instant), night().view);
     for (std::size_t k = 0; k < photometric_bands().size(); ++k) {
       const std::string band = photometric_bands()[k].name + std::string("_magnitude");
       EXPECT_WITHIN(night()[band][i], one.disc.magnitudes[k], 0.003, "stated: 180 rows for 360");
@@ -65,7 +66,7 @@ TEST(LightCurve, IsTheBrightnessOfItsMoments) {
 
 TEST(LightCurve, BeginsWithTheFullMoon) {
   // V = −12.7 at mean distances and a phase of 1.5° (Allen's Astrophysical Quantities)
-  const auto sky = almanac::sky_at(night().curve.moments[0]);
+  const auto sky = almanac::sky_at(night().curve.moments[0].brightness.instant);
   const double away = glm::length(sky.moon_m) / 384.4e6,
                sun_au = glm::length(sky.sun_m - sky.moon_m) / almanac::astronomical_unit_m,
                V = night()["V_magnitude"][0] - 5 * std::log10(away * sun_au);

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "povray_scenes/sight.h"
+#include "povray_scenes/camera.h"
 #include "support/within.h"
 
 namespace coppermoon::uses {

@@ -9,7 +9,7 @@
 
 #include "almanac/instant.h"
 #include "atmosphere/astronomical_refraction.h"
-#include "povray_scenes/sight.h"
+#include "povray_scenes/camera.h"
 #include "support/within.h"
 #include "uses/light/spectral_bands.h"
 #include "uses/picture/brightness.h"

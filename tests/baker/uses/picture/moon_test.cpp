@@ -15,7 +15,6 @@
 #include "support/within.h"
 #include "surface/albedo_map.h"
 #include "surface/reflectance.h"
-#include "uses/light/disc_brightness.h"
 #include "uses/light/photometer.h"
 #include "uses/light/spectral_bands.h"
 #include "uses/picture/baked_moon.h"

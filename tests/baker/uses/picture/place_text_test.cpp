@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/place_text.h"
+#include "support/refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -62,12 +63,7 @@ TEST(ObserverFrom, KnowsCitiesWithDigitsAndWithCountries) {
 }
 
 std::string refusal(const char* place) {
-  try {
-    observer_from(place);
-  } catch (const algebra::Error& error) {
-    return error.what();
-  }
-  return "none";
+  return refusal_of([&] { observer_from(place); });
 }
 
 TEST(ObserverFrom, KnowsCitiesByName) {

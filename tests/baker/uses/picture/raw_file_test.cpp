@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A sensor's counts as raw files: what they say of the scene is what the photograph says of it.
-#include "uses/picture/raw_file.h"
+#include "uses/picture/camera.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "uses/picture/scattered_colour.h"
+#include "uses/picture/clear_sky.h"
 
 #include <cmath>
 

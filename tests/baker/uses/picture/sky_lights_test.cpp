@@ -14,9 +14,8 @@
 #include "algebra/error.h"
 #include "almanac/planets.h"
 #include "colour/working_space.h"
-#include "povray_scenes/sight.h"
+#include "povray_scenes/camera.h"
 #include "support/within.h"
-#include "uses/picture/star_light.h"
 
 namespace coppermoon::uses {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "support/helper_folder.h"
 #include "support/left_behind.h"
+#include "support/refusals.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -62,9 +63,9 @@ TEST_F(Plots, HaveAPanelAboveAnother) {
 }
 
 TEST_F(Plots, EndInWhatGnuplotDraws) {
-  EXPECT_EQ(refusal([] { write_plot("a.gif", line_named("x")); }),
+  EXPECT_EQ(refusal_of([] { write_plot("a.gif", line_named("x")); }),
             "a.gif: a plot ends in .png (plot), .svg (plot), .pdf (plot)");
-  EXPECT_EQ(refusal([] { require_plot_ending("a.gif", "a curve", true); }),
+  EXPECT_EQ(refusal_of([] { require_plot_ending("a.gif", "a curve", true); }),
             "a.gif: a curve ends in .csv (numbers), .png (plot), .svg (plot), .pdf (plot)");
   EXPECT_NO_THROW(require_plot_ending("a.csv", "a curve", true));
   for (const char* name : {"a.png", "a.pdf"}) {
@@ -75,7 +76,7 @@ TEST_F(Plots, EndInWhatGnuplotDraws) {
 
 TEST_F(Plots, ThatGnuplotDoesNotDrawAreSaid) {
   stand_in("gnuplot", "exit 0");
-  EXPECT_EQ(refusal([&] { write_plot(here() / "a.svg", line_named("x")); }),
+  EXPECT_EQ(refusal_of([&] { write_plot(here() / "a.svg", line_named("x")); }),
             "gnuplot: ended without a result");
   EXPECT_FALSE(fs::exists(here() / "a.svg"));
 }
@@ -89,7 +90,7 @@ TEST_F(Plots, OfAFullDiskReplaceNothing) {
     ::getrlimit(RLIMIT_FSIZE, &before);
     const rlimit small{2048, before.rlim_max};
     ::setrlimit(RLIMIT_FSIZE, &small);
-    const auto said = refusal([&] { write_plot(here() / name, line_named("x")); });
+    const auto said = refusal_of([&] { write_plot(here() / name, line_named("x")); });
     ::setrlimit(RLIMIT_FSIZE, &before);
     EXPECT_EQ(said, "gnuplot: its file is cut off after 2048 bytes; is the disk full?") << name;
     EXPECT_EQ(fs::file_size(here() / name), 3U) << "the old one";
@@ -98,7 +99,8 @@ TEST_F(Plots, OfAFullDiskReplaceNothing) {
 
 TEST_F(Plots, ThatFailHaveTheFirstWord) {
   stand_in("gnuplot", "echo >&2; echo 'out of ink' >&2; echo end >&2; exit 1");
-  EXPECT_EQ(refusal([&] { write_plot(here() / "a.svg", line_named("x")); }), "gnuplot: out of ink");
+  EXPECT_EQ(refusal_of([&] { write_plot(here() / "a.svg", line_named("x")); }),
+            "gnuplot: out of ink");
 }
 
 TEST_F(Plots, ThatHangAreNotLeftBehind) {

@@ -3,7 +3,6 @@
 // computed here for each value beside each other, where that takes no time.
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <functional>
 #include <map>
@@ -364,9 +363,8 @@ TEST(Effects, OfLightAreThereOrSaid) {
 }
 
 /// Commands with their parameters.
-struct Program {
-  CLI::App app{"", "coppermoon"};
-  Program() { add_words(app); }
+struct AllCommands : Program {
+  AllCommands() { add_verbs(*this); }
 };
 
 /// Options that commands have of their own, or whose effect takes long to show. Each has one whatever the others are:
@@ -403,28 +401,28 @@ TEST(Effects, AreThereOrSaidOfEveryOptionOfEveryCommand) {
   for (const auto* parameters :
        {&air.parameters, &camera.parameters, &view.parameters, &light.parameters})
     for (const auto& each : *parameters) shown[each.name].insert(each.meaning);
-  Program program;
-  for (const auto* verb : program.app.get_subcommands({}))
-    for (const auto& option : parameters_of(*verb)) {
+  AllCommands program;
+  for (const auto& verb : program.verbs)
+    for (const auto& option : verb.parameters) {
       const bool known = shown[option.name].contains(option.meaning) || !option.relations.empty() ||
                          effective_by_themselves().contains(option.name);
-      EXPECT_TRUE(known) << verb->get_name() << " --" << option.name
+      EXPECT_TRUE(known) << verb.name << " --" << option.name
                          << ": has it an effect beside all others? Where not, only_with or "
                             "not_beside says so";
     }
 }
 
 TEST(Effects, DependOnOptionsThatThereAreAndOnValuesThatTheyTake) {
-  Program program;
-  for (const auto* verb : program.app.get_subcommands({}))
-    for (const auto& option : parameters_of(*verb))
+  AllCommands program;
+  for (const auto& verb : program.verbs)
+    for (const auto& option : verb.parameters)
       for (const auto& relation : option.relations)
         for (const auto& condition : relation.conditions) {
           bool found = false;
-          for (const auto* other : program.app.get_subcommands({}))
-            found |= parameters_of(*other).find(condition.name) != nullptr;
+          for (const auto& other : program.verbs)
+            found |= other.parameters.find(condition.name) != nullptr;
           EXPECT_TRUE(found) << option.name << " depends on " << condition.name;
-          const auto* other = parameters_of(*verb).find(condition.name);
+          const auto* other = verb.parameters.find(condition.name);
           if (other == nullptr || other->words.empty()) continue;
           for (const auto& value : condition.values)
             EXPECT_TRUE(std::ranges::count(other->words, value))
@@ -435,12 +433,12 @@ TEST(Effects, DependOnOptionsThatThereAreAndOnValuesThatTheyTake) {
 TEST(Ranges, OfNumbersAreToldOrThereIsNone) {
   /// Seeds: any number is one.
   static const std::set<std::string> without_range{"seed", "noise-seed"};
-  Program program;
-  for (auto* verb : program.app.get_subcommands({}))
-    for (auto& option : parameters_of(*verb)) {
+  AllCommands program;
+  for (auto& verb : program.verbs)
+    for (auto& option : verb.parameters) {
       const bool number = is_number(option.kind) && option.words.empty();
       EXPECT_EQ(number && !without_range.contains(option.name), option.range.has_value())
-          << verb->get_name() << " --" << option.name;
+          << verb.name << " --" << option.name;
       if (!number || !option.range) continue;
       for (const auto* text : {"-1e300", "nan", "inf", "1e300"})
         EXPECT_THROW(option.take({text}), algebra::Error) << option.name << " = " << text;
@@ -449,8 +447,8 @@ TEST(Ranges, OfNumbersAreToldOrThereIsNone) {
 }
 
 TEST(Ranges, OfNumbersAmongWordsAreKeptWhenTheyAreTaken) {
-  Program program;
-  auto& all = parameters_of(*program.app.get_subcommand("still"));
+  AllCommands program;
+  auto& all = find_verb(program, "still")->parameters;
   for (const char* name : {"glow", "sky", "stars", "field", "time", "stratospheric-aerosol"})
     for (const char* text : {"nan", "-7", "1e9", "inf"})
       EXPECT_THROW(all.find(name)->take({text}), algebra::Error) << name << " = " << text;

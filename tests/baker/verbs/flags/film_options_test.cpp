@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/flags/film_options.h"
+#include "support/refusals.h"
 
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "algebra/error.h"
 #include "request/recipe.h"
 #include "support/within.h"
-#include "verbs/flags/verb.h"
+#include "verbs/command_line.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -22,17 +21,8 @@ constexpr const char* july_2018 = "2018-07-27";
 
 uses::Moments moments_of(const FilmOptions& options) { return uses::moments_of(times_of(options)); }
 
-std::string message_of(const auto& refused) {
-  try {
-    refused();
-  } catch (const algebra::Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
-std::string message_of(const FilmOptions& options) {
-  return message_of([&] { moments_of(options); });
+std::string refusal(const FilmOptions& options) {
+  return refusal_of([&] { moments_of(options); });
 }
 
 TEST(FilmOptions, GoFromContactToContact) {
@@ -75,9 +65,9 @@ TEST(FilmOptions, BeginAtMoonriseAndEndAtMoonset) {
   const auto [begin, set] = spans(-35, 149);
   EXPECT_EQ(seconds_between(begin, whole.from), 0) << "it is up at P1";
   EXPECT_TRUE(is_up(set, 0) && !is_up(set, 45));
-  EXPECT_EQ(message_of([&] { spans(40, -100); }).substr(0, 45),
+  EXPECT_EQ(refusal_of([&] { spans(40, -100); }).substr(0, 45),
             "the Moon is below the horizon of 40,-100 from");
-  EXPECT_EQ(message_of([&] { times_of({.eclipse = july_2018, .from = "moonrise"}, {}); }),
+  EXPECT_EQ(refusal_of([&] { times_of({.eclipse = july_2018, .from = "moonrise"}, {}); }),
             "moonrise and moonset are those of a place, and none is given");
 }
 
@@ -118,7 +108,7 @@ TEST(FilmOptions, BeginAndEndWithTheMoonWhereNobodyAsksForMore) {
   EXPECT_EQ(seen.from + seen.to, "P1P4") << "the recipe is as it was";
   EXPECT_EQ(kept_to_the_moon(sydney, 39.74, -104.98).to, "moonset") << "Denver";
   EXPECT_EQ(kept_to_the_moon(berlin, 52.52, 13.41, true).from, "P1") << "it was asked for";
-  EXPECT_EQ(message_of([&] { kept_to_the_moon(berlin, 41.85, -87.65); }).substr(0, 52),
+  EXPECT_EQ(refusal_of([&] { kept_to_the_moon(berlin, 41.85, -87.65); }).substr(0, 52),
             "the Moon is below the horizon of 41.85,-87.65 from 2")
       << "Chicago";
   testing::internal::GetCapturedStderr();
@@ -162,31 +152,31 @@ TEST(FilmOptions, OneFrameIsTheFirst) {
 }
 
 TEST(FilmOptions, ThatCannotBeAreSaid) {
-  EXPECT_EQ(message_of({.from = "P1", .to = "P4"}),
+  EXPECT_EQ(refusal({.from = "P1", .to = "P4"}),
             "from P1 to P4 of which eclipse? Name a day near it, as 2018-07-27");
-  EXPECT_EQ(message_of({.eclipse = "2025-04-15"}).substr(0, 81),
+  EXPECT_EQ(refusal({.eclipse = "2025-04-15"}).substr(0, 81),
             "no lunar eclipse within 15 days of 2025-04-15; the nearest is greatest at 2025-03")
       << "the full Moon before had one";
-  EXPECT_EQ(message_of({.eclipse = "2019-07-16", .from = "U2"}),
+  EXPECT_EQ(refusal({.eclipse = "2019-07-16", .from = "U2"}),
             "moment = U2, allowed an instant or one of P1, U1, greatest, U4, P4 of the eclipse of "
             "2019-07-16, as P1-10min")
       << "a partial eclipse";
   for (const char* text : {"U9", "U2-", "U2-10", "U2+10days", "", "2018-13-01", "U2-10min-5s"})
-    EXPECT_NE(message_of({.eclipse = july_2018, .from = text}), "") << text;
-  EXPECT_NE(message_of({.eclipse = "tomorrow"}), "");
-  EXPECT_EQ(message_of({.eclipse = july_2018, .from = "U3", .to = "U2"}),
+    EXPECT_NE(refusal({.eclipse = july_2018, .from = text}), "") << text;
+  EXPECT_NE(refusal({.eclipse = "tomorrow"}), "");
+  EXPECT_EQ(refusal({.eclipse = july_2018, .from = "U3", .to = "U2"}),
             "--from U3 is later than --to U2");
-  EXPECT_NE(message_of({.from = "2018-07-27", .to = "2018-08-27"}), "") << "a month";
-  EXPECT_NE(message_of({.eclipse = july_2018, .frames = 0}), "");
-  EXPECT_NE(message_of({.eclipse = july_2018, .frames = 9, .time_scale = 60}), "") << "both";
-  EXPECT_NE(message_of({.eclipse = july_2018, .fps = {0}}), "");
+  EXPECT_NE(refusal({.from = "2018-07-27", .to = "2018-08-27"}), "") << "a month";
+  EXPECT_NE(refusal({.eclipse = july_2018, .frames = 0}), "");
+  EXPECT_NE(refusal({.eclipse = july_2018, .frames = 9, .time_scale = 60}), "") << "both";
+  EXPECT_NE(refusal({.eclipse = july_2018, .fps = {0}}), "");
 }
 
 TEST(FilmOptions, OfAMountSayWhatTheyLack) {
   const FilmOptions fixed{.mount = uses::Mount::fixed}, aimed{.aim = "30,120"},
       both{.mount = uses::Mount::fixed, .aim = "30,120"};
-  EXPECT_EQ(message_of([&] { mounting_of(fixed, false); }), "mount = fixed: needs --at");
-  EXPECT_EQ(message_of([&] { mounting_of(aimed, true); }),
+  EXPECT_EQ(refusal_of([&] { mounting_of(fixed, false); }), "mount = fixed: needs --at");
+  EXPECT_EQ(refusal_of([&] { mounting_of(aimed, true); }),
             "mount = tracking: --aim needs a fixed one");
   EXPECT_FALSE(mounting_of(fixed, true).aim);
   const auto mounting = mounting_of(both, true);
@@ -201,9 +191,9 @@ TEST(ExposureKeys, AreMomentsAndSecondsInOrder) {
   ASSERT_EQ(keys.size(), 2U);
   EXPECT_EQ(keys[0].second, 0.01);
   EXPECT_EQ(almanac::utc_text(keys[1].first), "2018-07-27T19:30:00Z");
-  EXPECT_EQ(message_of([&] { time_keys_from("U1:0.01,U1:2", eclipse); }),
+  EXPECT_EQ(refusal_of([&] { time_keys_from("U1:0.01,U1:2", eclipse); }),
             "exposure time = U1:0.01,U1:2, allowed keys in order of time");
-  EXPECT_EQ(message_of([&] { time_keys_from("U1:0.01,U2", eclipse); }),
+  EXPECT_EQ(refusal_of([&] { time_keys_from("U1:0.01,U2", eclipse); }),
             "exposure time = U1:0.01,U2, allowed keys as P1:1/1000,U2:4: a moment and seconds");
 }
 
@@ -218,11 +208,11 @@ TEST(FilesOfAFilm, AddWhatTheyAreMadeOf) {
 }
 
 TEST(FilesOfAFilm, AreOfKnownEndingsAndOfAWholeFilm) {
-  EXPECT_EQ(message_of([] { files_of({.movie = "a.avi"}); }),
+  EXPECT_EQ(refusal_of([] { files_of({.movie = "a.avi"}); }),
             "a.avi: a movie ends in .mp4 or .mov");
   EXPECT_EQ(files_of({.movie = "a.mov"}).movie, "a.mov");
   EXPECT_EQ(files_of({.composite = "a.png"}).composite, "a.png");
-  EXPECT_EQ(message_of([] { files_of({.shard = "1/2", .composite = "a.png"}); }),
+  EXPECT_EQ(refusal_of([] { files_of({.shard = "1/2", .composite = "a.png"}); }),
             "--composite needs every frame: run it without --shard after all shards, which are "
             "made with --make frames,pictures");
 }
@@ -237,8 +227,9 @@ Said said(const std::string& flag, const std::string& text) {
   Said all;
   Verb verb;
   add_film_options(verb, all.options);
-  verb.parse(std::vector<std::string>{"--" + flag + "=" + text});
-  all.line = request::recipe_line(*parameters_of(verb).find(flag));
+  take(verb, {"--" + flag + "=" + text});
+  all.line = text_of(request::recipe_of(
+      verb.parameters, [&](const auto& parameter) { return parameter.name == flag; }));
   return all;
 }
 
@@ -255,7 +246,7 @@ TEST(FilmOptions, OfOneRateAndDurationAreOneRecipe) {
     EXPECT_EQ(options.duration_s, 120);
     EXPECT_EQ(line, "duration = 120\n") << text;
   }
-  EXPECT_EQ(message_of([] { said("duration", "10x"); }),
+  EXPECT_EQ(refusal_of([] { said("duration", "10x"); }),
             "duration = 10x, allowed 0.001 to 1e6 s, as 10, 10s or 2min");
   const auto numbered = said("start-frame", "1001");
   EXPECT_EQ(numbered.line, "start-frame = 1001\n");

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <iterator>
+#include <sstream>
 #include <string>
 
 #include "algebra/error.h"
-#include "verbs/flags/verb.h"
+#include "verbs/command_line.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -16,7 +18,8 @@ uses::LightRequest request_after(const std::string& flags) {
   LightOptions options;
   add_light_options(verb, options);
   add_photon_file_options(verb, options);
-  verb.parse(flags);
+  std::istringstream words(flags);
+  take(verb, {std::istream_iterator<std::string>(words), {}});
   return light_request(options);
 }
 

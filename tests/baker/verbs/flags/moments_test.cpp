@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/flags/moments.h"
+#include "support/refusals.h"
 
-#include <algorithm>
 #include <string>
 
 #include "algebra/error.h"
 #include "support/within.h"
-#include "verbs/flags/verb.h"
+#include "verbs/command_line.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -15,13 +15,8 @@ using Words = std::vector<std::string>;
 
 std::string text_of(const MomentOptions& options) { return almanac::utc_text(instant_of(options)); }
 
-std::string refusal_of(const MomentOptions& options) {
-  try {
-    instant_of(options);
-  } catch (const algebra::Error& error) {
-    return error.what();
-  }
-  return "";
+std::string refusal(const MomentOptions& options) {
+  return refusal_of([&] { instant_of(options); });
 }
 
 double seconds_from(const char* published, const MomentOptions& options) {
@@ -71,7 +66,7 @@ TEST(Moments, OfATimeOfDayAreThatTimeAndNothingIsSaid) {
 TEST(Moments, OfAJulianDayAreThatDays) {
   // the Peterborough Chronicle's eclipse of 5 May 1110
   EXPECT_EQ(text_of({"1110-05-05", almanac::Calendar::julian}).substr(0, 10), "1110-05-12");
-  EXPECT_NE(refusal_of({"1110-05-05"}), "");
+  EXPECT_NE(refusal({"1110-05-05"}), "");
 }
 
 TEST(Moments, OfAJulianDayAreSaidInItsCalendar) {
@@ -84,29 +79,26 @@ TEST(Moments, OfAJulianDayAreSaidInItsCalendar) {
 
 TEST(Moments, WithAPlaceAndNoOffsetAreSaidToBeUtc) {
   const auto said = [](const Words& words) {
-    CLI::App program;
-    auto* verb = add_verb(program, "sky", "");
+    Verb verb;
     MomentOptions options;
     std::string at;
-    add_moment_options(*verb, options);
-    add_flag(*verb, "--at", at, "");
-    auto reversed = words;
-    std::ranges::reverse(reversed);
-    program.parse(reversed);
+    add_moment_options(verb, options);
+    add_flag(verb, "--at", at, "");
+    take(verb, words);
     testing::internal::CaptureStderr();
-    say_what_is_utc(*verb);
+    say_what_is_utc(verb);
     return testing::internal::GetCapturedStderr();
   };
   EXPECT_EQ(
-      said({"sky", "2018-07-27 20:22", "--at", "London"}),
+      said({"2018-07-27 20:22", "--at", "London"}),
       "coppermoon: 2018-07-27 20:22 is read as UTC; --zone local, or an offset, as 2018-07-27 "
       "20:22+02:00, says otherwise\n");
-  EXPECT_NE(said({"sky", "2018-07-27T20:22:01.5", "--at", "London"}), "");
+  EXPECT_NE(said({"2018-07-27T20:22:01.5", "--at", "London"}), "");
   for (const char* clear :
        {"2018-07-27 20:22Z", "2018-07-27T20:22:00-04:00", "2018-07-27", "2018-07-27 U2+10min"})
-    EXPECT_EQ(said({"sky", clear, "--at", "London"}), "") << clear;
-  EXPECT_EQ(said({"sky", "2018-07-27 20:22", "--at", "London", "--zone", "local"}), "");
-  EXPECT_EQ(said({"sky", "2018-07-27 20:22"}), "") << "without a place nobody expects its clocks";
+    EXPECT_EQ(said({clear, "--at", "London"}), "") << clear;
+  EXPECT_EQ(said({"2018-07-27 20:22", "--at", "London", "--zone", "local"}), "");
+  EXPECT_EQ(said({"2018-07-27 20:22"}), "") << "without a place nobody expects its clocks";
 }
 
 TEST(Places, OfSeveralCitiesAreSaidToBeTheLargest) {
@@ -114,7 +106,7 @@ TEST(Places, OfSeveralCitiesAreSaidToBeTheLargest) {
     Verb verb;
     std::string at;
     add_flag(verb, "--at", at, "");
-    verb.parse(Words{place, "--at"});
+    take(verb, {"--at", place});
     testing::internal::CaptureStderr();
     say_which_city(verb);
     return testing::internal::GetCapturedStderr();
@@ -125,22 +117,28 @@ TEST(Places, OfSeveralCitiesAreSaidToBeTheLargest) {
 }
 
 TEST(Moments, OfADayWithoutAnEclipseAreRefusedWithTheNearest) {
-  const auto refusal = refusal_of({"2018-07-28"});
-  EXPECT_NE(refusal.find("the nearest is at 2018-07-27T20:2"), std::string::npos) << refusal;
-  EXPECT_NE(refusal_of({"2018-07-27 U5"}).find("allowed"), std::string::npos);
+  const auto said = refusal({"2018-07-28"});
+  EXPECT_NE(said.find("the nearest is at 2018-07-27T20:2"), std::string::npos) << said;
+  EXPECT_NE(refusal({"2018-07-27 U5"}).find("allowed"), std::string::npos);
   // penumbral alone: it has no U1
-  EXPECT_NE(refusal_of({"2020-01-10 U1"}).find("P1, greatest, P4"), std::string::npos);
+  EXPECT_NE(refusal({"2020-01-10 U1"}).find("P1, greatest, P4"), std::string::npos);
 }
 
-TEST(Moments, InTwoArgumentsAreJoined) {
-  EXPECT_EQ(with_moments_joined({"still", "2018-07-27", "U2+10min", "-o", "a.png"}),
-            (Words{"still", "2018-07-27 U2+10min", "-o", "a.png"}));
-  EXPECT_EQ(with_moments_joined({"sky", "2018-07-27", "20:22", "--at", "1,2"}),
-            (Words{"sky", "2018-07-27 20:22", "--at", "1,2"}));
-  EXPECT_EQ(with_moments_joined({"still", "2025-09-07", "moonrise+20min", "--at", "Berlin"}),
-            (Words{"still", "2025-09-07 moonrise+20min", "--at", "Berlin"}));
-  const Words apart{"still", "2018-07-27", "-o", "U2.png", "U2", "2018-07-27T20:22Z", "20:22"};
-  EXPECT_EQ(with_moments_joined(apart), apart);
+TEST(Moments, InTwoArgumentsAreOne) {
+  const auto given = [](const Words& words) {
+    Verb verb;
+    MomentOptions options;
+    std::string output;
+    add_moment_options(verb, options);
+    add_flag(verb, "-o,--output", output, "");
+    take(verb, words);
+    return options.text;
+  };
+  EXPECT_EQ(given({"2018-07-27", "U2+10min", "-o", "a.png"}), "2018-07-27 U2+10min");
+  EXPECT_EQ(given({"--instant", "2018-07-27", "20:22"}), "2018-07-27 20:22");
+  EXPECT_EQ(given({"2025-09-07", "moonrise+20min"}), "2025-09-07 moonrise+20min");
+  EXPECT_THROW(given({"2018-07-27", "-o", "U2.png", "U2"}), WrongUsage) << "not side by side";
+  EXPECT_THROW(given({"2018-07-27T20:22Z", "20:22"}), WrongUsage) << "no day";
 }
 
 }  // namespace

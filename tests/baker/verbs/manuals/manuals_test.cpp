@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -30,10 +29,7 @@ std::string printed_by(const std::string& command) {
 
 class Manuals : public ScratchFolder {
  protected:
-  Manuals() {
-    add_words(program);
-    add_threads(program, threads);
-  }
+  Manuals() { add_verbs(program); }
 
   /// What bash offers behind words of a command line, the last of which is being typed.
   std::string offered(const std::string& words, int count) const {
@@ -45,20 +41,19 @@ class Manuals : public ScratchFolder {
                     in_folder("").string(), words, count - 1));
   }
 
-  std::unique_ptr<tbb::global_control> threads;
-  CLI::App program;
+  Program program;
 };
 
 TEST_F(Manuals, PagesHoldEveryOptionAndGroffHasNothingToWarnOf) {
   std::vector<std::string> pages{file("coppermoon.1", program_manual_page(program)).string()};
-  for (const auto* verb : program.get_subcommands({})) {
-    const auto page = manual_page(*verb);
-    pages.push_back(file(verb->get_name() + ".1", page).string());
-    for (const auto& flag : flag_texts(*verb)) {
+  for (const auto& verb : program.verbs) {
+    const auto page = manual_page(verb);
+    pages.push_back(file(verb.name + ".1", page).string());
+    for (const auto& flag : flag_texts(verb)) {
       auto name = "--" + flag.name;
       for (std::size_t at = 0; (at = name.find('-', at)) != std::string::npos; at += 2)
         name.replace(at, 1, "\\-");
-      EXPECT_NE(page.find(name), std::string::npos) << verb->get_name() << ' ' << name;
+      EXPECT_NE(page.find(name), std::string::npos) << verb.name << ' ' << name;
     }
   }
   for (const auto& page : pages)
@@ -66,11 +61,11 @@ TEST_F(Manuals, PagesHoldEveryOptionAndGroffHasNothingToWarnOf) {
 }
 
 TEST_F(Manuals, RoffPrintsTextsAsTheyAre) {
-  CLI::App app;
-  auto* verb = add_verb(app, "shoot", "takes 'all' of C:\\x");
+  Program app;
+  auto& verb = add_verb(app, "shoot", "takes 'all' of C:\\x");
   bool given = false;
-  add_switch(*verb, "--so", given, ".TH is no macro here, - is a minus, \\n no new line");
-  const auto page = file("shoot.1", manual_page(*verb));
+  add_switch(verb, "--so", given, ".TH is no macro here, - is a minus, \\n no new line");
+  const auto page = file("shoot.1", manual_page(verb));
   const auto shown = printed_by(
       fmt::format("groff -K utf8 -T ascii -P -cbou -man -ww -rLL=200n {}", page.string()));
   EXPECT_NE(shown.find(".TH is no macro here, - is a minus, \\n no new line"), std::string::npos)

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/inotify.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstddef>
+#include <cstring>
+
+#include "algebra/error.h"
+#include "files/running_program.h"
+
+namespace coppermoon::files {
+namespace {
+
+using algebra::Error;
+using Clock = std::chrono::steady_clock;
+
+int descriptor(const Handle& handle) { return static_cast<int>(handle.number); }
+
+[[noreturn]] void refuse_pipe() {
+  throw Error(fmt::format("no pipe to another program: {}", std::strerror(errno)));
+}
+
+/// Turns the forked child into the program; returns on failure. Calls only what is safe after a fork of many threads.
+void become(char* const* arguments, char* const* variables, const Program& program,
+            const Streams& streams, pid_t parent) {
+  if (program.outlives_us ? ::setpgid(0, 0) != 0
+                          : ::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent)
+    return;
+  const int nothing = ::open("/dev/null", O_RDWR);
+  if (nothing < 0 || ::chdir(program.folder.c_str()) != 0) return;
+  const auto put = [&](const Handle* stream, int place) {
+    ::dup2(stream == nullptr ? nothing : descriptor(*stream), place);
+  };
+  put(streams.input, STDIN_FILENO), put(streams.output, STDOUT_FILENO),
+      put(streams.error, STDERR_FILENO);
+  ::execvpe(arguments[0], arguments, variables);
+}
+
+/// Environment of this process with some variables replaced.
+std::vector<std::string> environment_with(std::vector<std::string> variables) {
+  const auto named = variables;
+  for (char** ours = environ; *ours != nullptr; ++ours) {
+    const std::string_view variable = *ours;
+    const auto name = variable.substr(0, variable.find('=') + 1);
+    if (std::ranges::none_of(named, [&](const auto& other) { return other.starts_with(name); }))
+      variables.emplace_back(variable);
+  }
+  return variables;
+}
+
+/// Null-terminated array for exec.
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  for (auto& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+/// Value of errno that the child wrote before it ended, or 0 when exec closed the pipe.
+int failure_of(const Handle& from) {
+  int failure = 0;
+  while (::read(descriptor(from), &failure, sizeof failure) < 0 && errno == EINTR) continue;
+  return failure;
+}
+
+/// Watch for the closing of a written file in a folder; none where none is wanted, or the system has no more.
+Handle watch(const std::filesystem::path& folder, const std::string& file) {
+  Handle made(file.empty() ? -1 : ::inotify_init1(IN_CLOEXEC | IN_NONBLOCK));
+  if (made && ::inotify_add_watch(descriptor(made), folder.c_str(), IN_CLOSE_WRITE) < 0)
+    made.close();
+  return made;
+}
+
+/// Whether a watch that is readable reports that file.
+bool has_closed(const Handle& watch, const std::string& file) {
+  alignas(inotify_event) std::array<char, 4096> events;
+  const auto count = ::read(descriptor(watch), events.data(), events.size());
+  for (std::ptrdiff_t at = 0; at < count;) {
+    const auto* event = reinterpret_cast<const inotify_event*>(events.data() + at);
+    if (event->len > 0 && file == event->name) return true;
+    at += static_cast<std::ptrdiff_t>(sizeof *event + event->len);
+  }
+  return false;
+}
+
+/// Time that a wait may take; below 0: any.
+///
+/// Throws  Error  when there is none left
+int milliseconds_left(const Program& program, double timeout_s, Clock::time_point start) {
+  if (timeout_s == 0) return -1;
+  const double used_s = std::chrono::duration<double>(Clock::now() - start).count();
+  if (used_s >= timeout_s)
+    throw Error(
+        fmt::format("{}: not done after {:g} s, the time allowed", program.words[0], timeout_s));
+  return static_cast<int>(std::min(timeout_s - used_s, 1e3) * 1e3) + 1;
+}
+
+/// Hears a program until it ends, or closes the file.
+///
+/// Returned  whether it closed the file and may still run
+bool listen(const Handle& words, const Handle& closing, const Program& program,
+            const Hearing& hearing) {
+  const auto start = Clock::now();
+  for (;;) {
+    std::array<pollfd, 2> waiting{
+        {{descriptor(words), POLLIN, 0}, {descriptor(closing), POLLIN, 0}}};
+    if (::poll(waiting.data(), waiting.size(),
+               milliseconds_left(program, hearing.timeout_s, start)) <= 0)
+      continue;
+    if (waiting[1].revents != 0 && has_closed(closing, hearing.until_closed)) return true;
+    if (waiting[0].revents == 0) continue;
+    const auto said = read_some(words);
+    if (said.empty()) return false;
+    if (hearing.hear) hearing.hear(said);
+  }
+}
+
+}  // namespace
+
+const char* const own_output = "/dev/fd/1";
+
+/// Ends are 3 and above: a child can put its standard streams in place without closing them.
+Pipe::Pipe() {
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0) refuse_pipe();
+  const Handle low_out(ends[0]), low_in(ends[1]);
+  out = Handle(::fcntl(ends[0], F_DUPFD_CLOEXEC, 3));
+  in = Handle(::fcntl(ends[1], F_DUPFD_CLOEXEC, 3));
+  if (!out || !in) refuse_pipe();
+}
+
+std::string read_some(const Handle& pipe) {
+  std::array<char, 4096> buffer;
+  for (;;) {
+    const auto count = ::read(descriptor(pipe), buffer.data(), buffer.size());
+    if (count >= 0 || errno != EINTR)
+      return {buffer.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0))};
+  }
+}
+
+RunningProgram::~RunningProgram() {
+  if (id <= 0) return;
+  ::kill(static_cast<pid_t>(leads_group ? -id : id), SIGKILL);
+  status();
+}
+
+int RunningProgram::status() {
+  int result = 0;
+  while (::waitpid(static_cast<pid_t>(id), &result, 0) < 0 && errno == EINTR) continue;
+  id = 0;
+  return result;
+}
+
+/// Forks, since posix_spawn cannot ask for the child's end with ours.
+void start(RunningProgram& running, const Program& program, const Streams& streams) {
+  auto words = program.words, variables = environment_with(program.variables);
+  const auto arguments = pointers_to(words), environment = pointers_to(variables);
+  Pipe failed;
+  const pid_t ourselves = ::getpid();
+  running.leads_group = program.outlives_us;
+  running.id = ::fork();
+  if (running.id == 0) {
+    become(arguments.data(), environment.data(), program, streams, ourselves);
+    const int why = errno;
+    [[maybe_unused]] const auto written = ::write(descriptor(failed.in), &why, sizeof why);
+    ::_exit(127);
+  }
+  const int not_forked = running.id < 0 ? errno : 0;
+  failed.in.close();
+  const int failure = not_forked ? not_forked : failure_of(failed.out);
+  if (failure == 0) return;
+  if (failure == ENOENT)
+    throw Error(fmt::format("{}: not found; install the package {}", words[0], program.package));
+  throw Error(fmt::format("{}: cannot be run: {}", words[0], std::strerror(failure)));
+}
+
+bool run_heard(const Program& program, const Hearing& hearing) {
+  Pipe words;
+  const auto closing = watch(program.folder, hearing.until_closed);
+  RunningProgram running;
+  start(running, program, {.output = hearing.result, .error = &words.in});
+  words.in.close();
+  if (listen(words.out, closing, program, hearing)) return true;
+  const int status = running.status();
+  if (WIFSIGNALED(status))
+    throw Error(fmt::format("{}: ended by signal {}", program.words[0], WTERMSIG(status)));
+  return WEXITSTATUS(status) == 0;
+}
+
+}  // namespace coppermoon::files

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+
+#include <cerrno>
+
+#include "files/cache_folder.h"
+#include "files/lock.h"
+
+namespace coppermoon::files {
+namespace {
+
+struct flock lock_of(short type, off_t from, off_t length) {
+  struct flock lock {};
+  lock.l_type = type;
+  lock.l_start = from;
+  lock.l_len = length;
+  return lock;
+}
+
+/// Whether another open file holds a lock on any byte of a range.
+///
+/// Given  length  0: all from there on
+bool others_hold(int descriptor, off_t from, off_t length) {
+  auto asked = lock_of(F_WRLCK, from, length);
+  return ::fcntl(descriptor, F_OFD_GETLK, &asked) == 0 && asked.l_type != F_UNLCK;
+}
+
+}  // namespace
+
+Handle lock_folder(const std::filesystem::path& folder) {
+  auto handle = opened(folder);
+  if (handle) ::flock(static_cast<int>(handle.number), LOCK_EX);
+  return handle;
+}
+
+Handle lock_file(const std::filesystem::path& file, const std::function<void()>& waiting) {
+  const auto lock = file.parent_path() / fmt::format(".{}.lock", file.filename().string());
+  const int descriptor =
+      ::open(lock.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0600);
+  Handle handle(descriptor);
+  if (!handle || !is_users_own(lock)) return handle;
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return handle;
+  waiting();
+  while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) continue;
+  return handle;
+}
+
+/// Claims by a read lock on one byte, whose offset is the purpose.
+FolderClaim claim_folder(const std::filesystem::path& folder, std::uint64_t purpose) {
+  FolderClaim claim{opened(folder)};
+  const auto descriptor = static_cast<int>(claim.handle.number);
+  const auto byte = static_cast<off_t>(purpose >> 2) + 1;  // neither the first nor the last
+  auto mine = lock_of(F_RDLCK, byte, 1);
+  if (::fcntl(descriptor, F_OFD_SETLK, &mine) == 0)
+    claim.alone = !others_hold(descriptor, 0, byte) && !others_hold(descriptor, byte + 1, 0);
+  return claim;
+}
+
+}  // namespace coppermoon::files

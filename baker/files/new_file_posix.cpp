@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+
+#include "files/new_file.h"
+
+namespace coppermoon::files {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::error_code last_error() { return {errno, std::generic_category()}; }
+
+/// Copies the permissions of the replaced file, as far as this user may.
+void keep_permissions(int descriptor, const fs::path& of) {
+  struct stat replaced {};
+  constexpr mode_t permissions = 0777;
+  if (::stat(of.c_str(), &replaced) == 0) ::fchmod(descriptor, replaced.st_mode & permissions);
+}
+
+/// Whether a nameless file has this name now; false where another has it.
+bool named(const Handle& file, const fs::path& name) {
+  return ::linkat(AT_FDCWD, name_of(file).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+}
+
+}  // namespace
+
+/// Makes a file under a name that does not exist yet.
+template <typename Make>
+void NewFile::with_a_name(Make make) {
+  static std::atomic<unsigned> names = 0;
+  do {
+    path_ = final_.parent_path() / fmt::format(".coppermoon.{}-{}.tmp", ::getpid(), names++);
+    if (make(path_)) return;
+    path_.clear();
+  } while (errno == EEXIST);
+  throw cannot_write(final_, last_error());
+}
+
+NewFile::NewFile(const fs::path& final_path) : final_(final_path) {
+  if (fs::exists("/proc/self/fd"))
+    handle_ = Handle(::open(final_.parent_path().c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666));
+  if (!handle_) {
+    with_a_name([this](const fs::path& name) {
+      handle_ = Handle(::open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+      return static_cast<bool>(handle_);
+    });
+    removal_.emplace(path_);
+  }
+  keep_permissions(static_cast<int>(handle_.number), final_);
+}
+
+NewFile::~NewFile() {
+  if (!path_.empty()) ::unlink(path_.c_str());
+}
+
+void NewFile::put_in_place() {
+  if (::fsync(static_cast<int>(handle_.number)) != 0) throw cannot_write(final_, last_error());
+  // at once where no file is there: a program killed now leaves no other name
+  if (!path_.empty() || !named(handle_, final_)) {
+    if (path_.empty()) with_a_name([this](const fs::path& name) { return named(handle_, name); });
+    if (::rename(path_.c_str(), final_.c_str()) != 0) throw cannot_write(final_, last_error());
+    path_.clear();
+  }
+  if (const auto folder = opened(final_.parent_path()))
+    ::fsync(static_cast<int>(folder.number));  // no error where the file system cannot
+}
+
+}  // namespace coppermoon::files

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "result/as_json.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
+
+namespace coppermoon::result {
+namespace {
+
+std::string cell(const Json& value) {
+  if (value.is_null()) return "";
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+}  // namespace
+
+std::string as_csv(const Json& rows) {
+  std::string text;
+  for (const auto& row : rows) {
+    std::vector<std::string> names, cells;
+    for (const auto& [name, value] : row.items()) {
+      names.push_back(name);
+      cells.push_back(cell(value));
+    }
+    if (text.empty()) text = fmt::format("{}\n", fmt::join(names, ","));
+    text += fmt::format("{}\n", fmt::join(cells, ","));
+  }
+  return text;
+}
+
+std::string as_lines(const Json& object, const std::string& number) {
+  std::string lines;
+  for (const auto& [key, value] : object.items())
+    lines += fmt::format(
+        "{:<30}{}\n", key,
+        value.is_number() ? fmt::format(fmt::runtime(number), value.get<double>()) : cell(value));
+  return lines;
+}
+
+}  // namespace coppermoon::result

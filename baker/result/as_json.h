@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "almanac/calendar.h"
+#include "result/fields.h"
+
+namespace coppermoon::result {
+
+using Json = nlohmann::ordered_json;
+
+/// How values are written.
+struct Style {
+  almanac::Calendar calendar = almanac::Calendar::gregorian;  ///< of dates
+  int decimals = 0;                                           ///< of an instant's seconds
+};
+
+/// A result as an object, keys in the order of its description. Numbers that are not finite are null.
+template <Described Result>
+Json as_json(const Result& result, const Style& style = {});
+
+/// A value as JSON.
+template <class Value>
+Json json_of(const Value& value, const Style& style) {
+  if constexpr (is_a<Value, std::optional>) {
+    return value ? json_of(*value, style) : Json();
+  } else if constexpr (is_a<Value, algebra::IfAny>) {
+    return json_of(value.value, style);
+  } else if constexpr (std::is_same_v<Value, algebra::Angle>) {
+    return json_of(algebra::in_degrees(value), style);
+  } else if constexpr (std::is_floating_point_v<Value>) {
+    return std::isfinite(value) ? Json(value) : Json();
+  } else if constexpr (std::is_same_v<Value, algebra::Word>) {
+    return value.word;
+  } else if constexpr (std::is_same_v<Value, almanac::Instant>) {
+    return almanac::utc_text(value, style.calendar, style.decimals);
+  } else if constexpr (is_by_name<Value>) {
+    auto all = Json::object();
+    for (const auto& [name, each] : value) all[name] = json_of(each, style);
+    return all;
+  } else if constexpr (is_a<Value, algebra::Grid>) {
+    auto rows = Json::array();
+    for (std::size_t r = 0; r < value.rows(); ++r) rows.push_back(value.row(r));
+    return rows;
+  } else if constexpr (Described<Value>) {
+    return as_json(value, style);
+  } else if constexpr (std::ranges::range<Value> &&
+                       !std::is_convertible_v<Value, std::string_view>) {
+    auto all = Json::array();
+    for (const auto& each : value) all.push_back(json_of(each, style));
+    return all;
+  } else {
+    return value;
+  }
+}
+
+namespace detail {
+
+/// Visitor that writes values into an object.
+struct Writes {
+  Json& json;
+  const Style& style;
+
+  void a(std::string_view, std::string_view) const {}
+  template <class Value>
+  void operator()(std::string_view key, const Value& value, algebra::Unit,
+                  std::string_view meaning) const {
+    (*this)(key, value, meaning);
+  }
+  template <class Value>
+  void operator()(std::string_view key, const Value& value, std::string_view meaning) const {
+    if constexpr (std::invocable<Value>) {
+      (*this)(key, value(), meaning);
+    } else if constexpr (is_a<Value, algebra::IfAny>) {
+      if (value.value) write(key, *value.value);
+    } else if constexpr (is_a<Value, std::optional>) {
+      if constexpr (Described<typename Value::value_type>) {
+        if (value) write(key, *value);
+      } else {
+        write(key, value);
+      }
+    } else {
+      write(key, value);
+    }
+  }
+
+ private:
+  template <class Value>
+  void write(std::string_view key, const Value& value) const {
+    json[std::string(key)] = json_of(value, style);
+  }
+};
+
+}  // namespace detail
+
+template <Described Result>
+Json as_json(const Result& result, const Style& style) {
+  auto json = Json::object();
+  describe(detail::Writes{json, style}, result);
+  return json;
+}
+
+/// Rows as CSV under the names of their columns: objects with the same keys, none nested. Null is empty.
+std::string as_csv(const Json& rows);
+
+/// Object as lines of key and value, for a terminal.
+///
+/// Given  number  format of numbers, as "{:.6f}"
+std::string as_lines(const Json& object, const std::string& number);
+
+}  // namespace coppermoon::result

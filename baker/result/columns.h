@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "result/fields.h"
+
+namespace coppermoon::result {
+
+/// Numbers by the name of their column, one for each row.
+using Column = std::pair<std::string, std::vector<double>>;
+
+namespace detail {
+
+/// Visitor that adds a row's numbers to columns: the k-th that is described to the k-th column.
+struct Gathers {
+  std::vector<Column>& columns;
+  std::size_t next = 0;
+
+  void a(std::string_view, std::string_view) const {}
+  template <class Value>
+  void operator()(std::string_view key, const Value& value, algebra::Unit, std::string_view) {
+    (*this)(key, value, "");
+  }
+  template <class Value>
+  void operator()(std::string_view key, const Value& value, std::string_view) {
+    if constexpr (std::is_floating_point_v<Value>)
+      add(key, value);
+    else if constexpr (std::is_same_v<Value, std::optional<double>>)
+      add(key, value.value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+
+ private:
+  void add(std::string_view key, double number) {
+    if (next == columns.size()) columns.emplace_back(key, std::vector<double>{});
+    columns[next++].second.push_back(number);
+  }
+};
+
+}  // namespace detail
+
+/// The numbers of results that have the same keys, column by column; NaN where there is none.
+template <class Results>
+std::vector<Column> columns_of(const Results& results) {
+  std::vector<Column> columns;
+  for (const auto& result : results) describe(detail::Gathers{columns}, result);
+  return columns;
+}
+
+}  // namespace coppermoon::result

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: MIT
+cmake_minimum_required(VERSION 3.25)
+# Fails where a folder of baker, colour or povray_scenes that has sources has no tests at its path.
+#   cmake -DROOT=<source folder> -P rooms_tested.cmake
+file(GLOB_RECURSE sources RELATIVE ${ROOT} ${ROOT}/baker/*.cpp ${ROOT}/colour/*.cpp ${ROOT}/povray_scenes/*.cpp)
+list(TRANSFORM sources REPLACE "/[^/]*$" "")
+list(REMOVE_DUPLICATES sources)
+set(rooms_elsewhere  # whose tests run the whole program, or another that loads them
+    baker baker/verbs baker/wrappers/openimageio baker/texture/openimageio)
+set(count 0)
+foreach(room ${sources})
+  if(room IN_LIST rooms_elsewhere)
+    continue()
+  endif()
+  math(EXPR count "${count} + 1")
+  file(GLOB tests ${ROOT}/tests/${room}/*_test.cpp ${ROOT}/tests/${room}/*_test.py)
+  if(NOT tests)
+    list(APPEND untested ${room})
+  endif()
+endforeach()
+if(untested)
+  list(JOIN untested ", " untested)
+  message(FATAL_ERROR "no tests in tests/ at the path of: ${untested}")
+elseif(count LESS 20)
+  message(FATAL_ERROR "${ROOT}: only ${count} rooms found: nothing was checked")
+endif()
+message(STATUS "${count} rooms, each with tests at its path")
