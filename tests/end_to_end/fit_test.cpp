@@ -394,7 +394,8 @@ TEST_F(FitThoroughly, RefusesWhatItCannotExplain) {
             "(UTC)\n");
   EXPECT_EQ(refusal_of({"a.png", "b.png", "c.png", "--instants", "2018-07-27T20:40:00Z,x"}),
             "coppermoon: 2 instants, allowed one for all or 3, one for each photograph\n");
-  EXPECT_EQ(refusal_of({"--magnitudes", "no.csv"}), "coppermoon: no.csv: cannot be read: no such file\n");
+  EXPECT_EQ(refusal_of({"--magnitudes", "no.csv"}),
+            "coppermoon: no.csv: cannot be read: no such file\n");
   file("a.csv", "when,band,magnitude\n");
   EXPECT_EQ(refusal_of({"--magnitudes", "a.csv"}),
             "coppermoon: a.csv:1: columns = when,band,magnitude, allowed instant, band, magnitude "
