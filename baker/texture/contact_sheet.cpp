@@ -104,13 +104,6 @@ void label(Image& sheet, const ContactSheet& of, const SheetGrid& grid, std::siz
 
 }  // namespace
 
-SheetGrid sheet_grid(std::size_t pictures, std::size_t columns, std::size_t width,
-                     std::size_t height) {
-  const std::size_t across = std::clamp<std::size_t>(pictures, 1, columns);
-  return {across, (pictures + across - 1) / across,
-          std::max<std::size_t>(1, SheetGrid::picture_width * height / width)};
-}
-
 std::filesystem::path sheet_font() {
   constexpr std::array known{"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
                              "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",

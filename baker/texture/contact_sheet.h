@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -42,8 +43,12 @@ struct SheetGrid {
 };
 
 /// Given  width, height  of each picture
-SheetGrid sheet_grid(std::size_t pictures, std::size_t columns, std::size_t width,
-                     std::size_t height);
+inline SheetGrid sheet_grid(std::size_t pictures, std::size_t columns, std::size_t width,
+                            std::size_t height) {
+  const std::size_t across = std::clamp<std::size_t>(pictures, 1, columns);
+  return {across, (pictures + across - 1) / across,
+          std::max<std::size_t>(1, SheetGrid::picture_width * height / width)};
+}
 
 /// Path of a system font for a contact sheet.
 ///

@@ -44,18 +44,14 @@ struct Curve {
   bool white_is_zero = false;
 };
 
-Curve curve_said(const OIIO::ImageSpec& spec, Coding coding) {
+Curve curve_of(const OIIO::ImageSpec& spec, Coding coding, bool white_is_zero) {
   const std::string says = spec.get_string_attribute("oiio:ColorSpace");
-  if (coding == Coding::srgb || coding == Coding::camera) return {true, 1};
-  if (coding == Coding::linear || says == "linear" || says == "Linear") return {false, 1};
-  if (says.starts_with("Gamma")) return {false, spec.get_float_attribute("oiio:Gamma", 2.2F)};
-  return {says == "sRGB" || !spec.format.is_floating_point(), 1};
-}
-
-Curve curve_of(const OIIO::ImageSpec& spec, Coding coding, const Storage& storage) {
-  auto curve = curve_said(spec, coding);
-  curve.white_is_zero = storage.white_is_zero;
-  return curve;
+  if (coding == Coding::srgb || coding == Coding::camera) return {true, 1, white_is_zero};
+  if (coding == Coding::linear || says == "linear" || says == "Linear")
+    return {false, 1, white_is_zero};
+  if (says.starts_with("Gamma"))
+    return {false, spec.get_float_attribute("oiio:Gamma", 2.2F), white_is_zero};
+  return {says == "sRGB" || !spec.format.is_floating_point(), 1, white_is_zero};
 }
 
 float linear(float v, Curve curve) {
@@ -374,7 +370,7 @@ Image read_light(const fs::path& path, Coding coding,
     throw cannot_read(
         path, "a raw file coded as sRGB or by a tone curve, allowed as the file says, or linear");
   const auto storage = storage_of(path, *input);
-  const auto curve = raw ? Curve{false, 1} : curve_of(spec, coding, storage);
+  const auto curve = raw ? Curve{false, 1} : curve_of(spec, coding, storage.white_is_zero);
   const auto* profile = storage.colours && heeds_colours(coding) ? &*storage.colours : nullptr;
   const auto rgb = rgb_channels(path, *input);
   return within_memory(path, spec, [&] {
@@ -409,10 +405,6 @@ Windows windows_of(const fs::path& path) {
   return windows_of(*opened(path));
 }
 
-std::optional<std::string> read_attribute(const fs::path& path, std::string_view name) {
-  return read_attributes(path, {&name, 1}).front();
-}
-
 std::vector<std::optional<std::string>> read_attributes(const fs::path& path,
                                                         std::span<const std::string_view> names) {
   const Silence silence(path);
@@ -439,7 +431,7 @@ algebra::Grid<float> read_albedo_map(const fs::path& path, Coding coding) {
   const auto storage = storage_of(path, *input);
   require_two_to_one(path, *input, storage);
   require_light(path, spec);
-  const FloatingTone tone{curve_of(spec, coding, storage)};
+  const FloatingTone tone{curve_of(spec, coding, storage.white_is_zero)};
   return within_memory(path, spec, [&] {
     algebra::Grid<float> map(static_cast<std::size_t>(spec.height),
                              static_cast<std::size_t>(spec.width));

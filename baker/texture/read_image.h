@@ -59,15 +59,18 @@ struct Windows {
 /// Throws  Error  as read_image
 Windows windows_of(const std::filesystem::path& path);
 
-/// One attribute of an image file's header, as text; empty when there is none of that name.
+/// Attributes of an image file's header, as text, in the order of the names; none where there is none of a name.
 ///
-/// Given   name   as in Attributes
+/// Given   names  as in Attributes
 /// Throws  Error  as read_image
-std::optional<std::string> read_attribute(const std::filesystem::path& path, std::string_view name);
-
-/// Several attributes of an image file's header, in the order of the names.
 std::vector<std::optional<std::string>> read_attributes(const std::filesystem::path& path,
                                                         std::span<const std::string_view> names);
+
+/// One attribute, as read_attributes.
+inline std::optional<std::string> read_attribute(const std::filesystem::path& path,
+                                                 std::string_view name) {
+  return read_attributes(path, {&name, 1}).front();
+}
 
 /// Coding of an integer format's numbers. Not every file states it: a TIFF never does.
 enum class Coding {

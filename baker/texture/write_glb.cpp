@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "algebra/error.h"
@@ -114,26 +115,17 @@ json only(json item) {
   return list;
 }
 
-json material() {
+/// Ground that shows a picture as it is; with a luminance [cd/m²], black and shining by the picture times that.
+json material(std::optional<double> luminance) {
   const json picture{{"index", 0}};
-  return {{"name", "Moonlight"},
-          {"pbrMetallicRoughness",
-           {{"baseColorTexture", picture}, {"metallicFactor", 0}, {"roughnessFactor", 1}}},
-          {"emissiveTexture", picture},
-          {"emissiveFactor", {1, 1, 1}},
-          {"doubleSided", false},
-          {"extensions", {{unlit, json::object()}}}};
-}
-
-/// Black, and shining by a picture times a luminance [cd/m²].
-json emitting(double luminance) {
-  return {{"name", "Moonlight"},
-          {"pbrMetallicRoughness",
-           {{"baseColorFactor", {0, 0, 0, 1}}, {"metallicFactor", 0}, {"roughnessFactor", 1}}},
-          {"emissiveTexture", {{"index", 0}}},
-          {"emissiveFactor", {1, 1, 1}},
-          {"doubleSided", false},
-          {"extensions", {{emissive_strength, {{"emissiveStrength", luminance}}}}}};
+  json ground =
+      luminance ? json{{"baseColorFactor", {0, 0, 0, 1}}} : json{{"baseColorTexture", picture}};
+  ground.update({{"metallicFactor", 0}, {"roughnessFactor", 1}});
+  const json extension = luminance ? json{{emissive_strength, {{"emissiveStrength", *luminance}}}}
+                                   : json{{unlit, json::object()}};
+  return {{"name", "Moonlight"},        {"pbrMetallicRoughness", ground},
+          {"emissiveTexture", picture}, {"emissiveFactor", {1, 1, 1}},
+          {"doubleSided", false},       {"extensions", extension}};
 }
 
 json sampler() {
@@ -179,11 +171,12 @@ void append_chunk(std::string& file, std::uint32_t type, const std::string& byte
 void write_glb(const fs::path& path, const Image& image, const std::string& generator,
                GlbTexels texels) {
   const bool developed = texels == GlbTexels::developed;
-  const double brightest = developed ? 1 : brightest_in(path, image);
-  const auto picture = developed ? image : coded(image, brightest);
+  std::optional<double> brightest;
+  if (!developed) brightest = brightest_in(path, image);
+  const auto picture = developed ? image : coded(image, *brightest);
   Buffer buffer;
   const auto document_of_all = document(buffer, picture_on_globe(path, picture, developed ? 8 : 16),
-                                        developed ? material() : emitting(brightest), generator);
+                                        material(brightest), generator);
   auto text = document_of_all.dump(-1, ' ', false, json::error_handler_t::replace);
   pad(text, ' ');
   constexpr std::size_t heads = 12 + 2 * 8;

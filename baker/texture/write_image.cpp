@@ -72,12 +72,6 @@ void require_parts(const std::filesystem::path& path, std::span<const Part> part
 
 }  // namespace
 
-void write_exr(const std::filesystem::path& path, const Layout& layout, const Rows& rows,
-               const Attributes& attributes, const ExrOptions& options) {
-  const Part whole{"", layout, rows};
-  write_exr(path, {&whole, 1}, attributes, options);
-}
-
 void write_exr(const std::filesystem::path& path, std::span<const Part> parts,
                const Attributes& attributes, const ExrOptions& options) {
   require_parts(path, parts);

@@ -32,11 +32,6 @@ struct ExrOptions {
 void write_exr(const std::filesystem::path& path, const Image& image, const Attributes& attributes,
                const ExrOptions& options = {});
 
-/// Writes rows that are made meanwhile: 16 MB or 64 rows are in memory at a time, and the next are made while they are
-/// written. An exception while making them ends the writing, and no file is left.
-void write_exr(const std::filesystem::path& path, const Layout& layout, const Rows& rows,
-               const Attributes& attributes, const ExrOptions& options = {});
-
 /// One image of several in a file.
 struct Part {
   std::string name;
@@ -54,6 +49,14 @@ struct Part {
 /// Throws  Error  also when there is none, or two have one name
 void write_exr(const std::filesystem::path& path, std::span<const Part> parts,
                const Attributes& attributes, const ExrOptions& options = {});
+
+/// Writes rows that are made meanwhile: 16 MB or 64 rows are in memory at a time, and the next are made while they are
+/// written. An exception while making them ends the writing, and no file is left.
+inline void write_exr(const std::filesystem::path& path, const Layout& layout, const Rows& rows,
+                      const Attributes& attributes, const ExrOptions& options = {}) {
+  const Part whole{"", layout, rows};
+  write_exr(path, {&whole, 1}, attributes, options);
+}
 
 /// An OpenEXR file of tiles, mip-mapped down to one texel, as renderers read textures: each texel
 /// the mean over its area. Wraps east and west, and ends at the poles. A quarter of it is in memory.

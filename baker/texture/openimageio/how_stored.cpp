@@ -143,15 +143,34 @@ void refuse_curve(const fs::path& path, unsigned transfer) {
 
 using Colours = std::optional<ColourProfile>;
 
+/// Linear space of light by its identifier in files.
+struct NamedSpace {
+  std::string_view id;
+  std::array<double, 8> xy;  ///< red, green, blue, white
+};
+
+constexpr std::array<NamedSpace, 7> named_spaces{
+    {{"lin_rec709_scene", {0.64, 0.33, 0.3, 0.6, 0.15, 0.06, 0.3127, 0.329}},
+     {"lin_ap0_scene", {0.7347, 0.2653, 0, 1, 0.0001, -0.077, 0.32168, 0.33767}},
+     {"lin_ap1_scene", {0.713, 0.293, 0.165, 0.83, 0.128, 0.044, 0.32168, 0.33767}},
+     {"lin_p3d65_scene", {0.68, 0.32, 0.265, 0.69, 0.15, 0.06, 0.3127, 0.329}},
+     {"lin_rec2020_scene", {0.708, 0.292, 0.17, 0.797, 0.131, 0.046, 0.3127, 0.329}},
+     {"lin_adobergb_scene", {0.64, 0.33, 0.21, 0.71, 0.15, 0.06, 0.3127, 0.329}},
+     {"lin_ciexyzd65_scene", {1, 0, 0, 1, 0, 0, 1. / 3, 1. / 3}}}};
+
+/// Primaries and white of a linear space; none of another name.
+std::optional<std::array<double, 8>> primaries_of(std::string_view id) {
+  const auto known = std::ranges::find(named_spaces, id, &NamedSpace::id);
+  return known != named_spaces.end() ? std::optional(known->xy) : std::nullopt;
+}
+
 /// Colours by the numbers of ITU-T H.273.
 Colours by_code_points(const fs::path& path, unsigned primaries, unsigned transfer) {
   refuse_curve(path, transfer);
-  if (primaries == 9)
-    return ColourProfile::of_primaries({0.708, 0.292, 0.17, 0.797, 0.131, 0.046, 0.3127, 0.329},
-                                       {});
-  if (primaries == 12)
-    return ColourProfile::of_primaries({0.68, 0.32, 0.265, 0.69, 0.15, 0.06, 0.3127, 0.329}, {});
-  return std::nullopt;
+  const auto xy = primaries_of(primaries == 9    ? "lin_rec2020_scene"
+                               : primaries == 12 ? "lin_p3d65_scene"
+                                                 : "");
+  return xy ? ColourProfile::of_primaries(*xy, {}) : std::nullopt;
 }
 
 /// Colours of a HEIC or AVIF file, whose colour box OpenImageIO passes over.
@@ -222,27 +241,11 @@ void heed_webp(const fs::path& path, Storage& storage) {
     storage.colours = ColourProfile::of_icc(*icc, 3);
 }
 
-/// Linear space of light by its identifier in files.
-struct NamedSpace {
-  std::string_view id;
-  std::array<double, 8> xy;  ///< red, green, blue, white
-};
-
-constexpr std::array<NamedSpace, 7> named_spaces{
-    {{"lin_rec709_scene", {0.64, 0.33, 0.3, 0.6, 0.15, 0.06, 0.3127, 0.329}},
-     {"lin_ap0_scene", {0.7347, 0.2653, 0, 1, 0.0001, -0.077, 0.32168, 0.33767}},
-     {"lin_ap1_scene", {0.713, 0.293, 0.165, 0.83, 0.128, 0.044, 0.32168, 0.33767}},
-     {"lin_p3d65_scene", {0.68, 0.32, 0.265, 0.69, 0.15, 0.06, 0.3127, 0.329}},
-     {"lin_rec2020_scene", {0.708, 0.292, 0.17, 0.797, 0.131, 0.046, 0.3127, 0.329}},
-     {"lin_adobergb_scene", {0.64, 0.33, 0.21, 0.71, 0.15, 0.06, 0.3127, 0.329}},
-     {"lin_ciexyzd65_scene", {1, 0, 0, 1, 0, 0, 1. / 3, 1. / 3}}}};
-
 /// Colours by `colorInteropID`, else by `chromaticities`.
 Colours exr_colours(const OIIO::ImageSpec& spec) {
   const std::string id = spec.get_string_attribute("colorInteropID");
   if (id == "data") return std::nullopt;
-  const auto known = std::ranges::find(named_spaces, id, &NamedSpace::id);
-  if (known != named_spaces.end()) return ColourProfile::of_primaries(known->xy, 1);
+  if (const auto known = primaries_of(id)) return ColourProfile::of_primaries(*known, 1);
   if (!id.empty() && id != "unknown") {
     std::string allowed = "data, unknown";
     for (const auto& space : named_spaces) allowed += ", " + std::string(space.id);

@@ -19,7 +19,6 @@ struct ImageFunctions {
   decltype(texture::read_image)* read_image;
   decltype(texture::read_channels)* read_channels;
   decltype(texture::windows_of)* windows_of;
-  decltype(texture::read_attribute)* read_attribute;
   decltype(texture::read_attributes)* read_attributes;
   decltype(texture::read_light)* read_light;
   decltype(texture::is_raw_file)* is_raw_file;
@@ -28,8 +27,6 @@ struct ImageFunctions {
 
   void (*write_exr)(const std::filesystem::path&, const Image&, const Attributes&,
                     const ExrOptions&);
-  void (*write_exr_of_rows)(const std::filesystem::path&, const Layout&, const Rows&,
-                            const Attributes&, const ExrOptions&);
   void (*write_exr_of_parts)(const std::filesystem::path&, std::span<const Part>, const Attributes&,
                              const ExrOptions&);
   decltype(texture::write_mipmapped)* write_mipmapped;
@@ -40,7 +37,6 @@ struct ImageFunctions {
   decltype(texture::write_glb)* write_glb;
   decltype(texture::write_usdz)* write_usdz;
 
-  decltype(texture::sheet_grid)* sheet_grid;
   decltype(texture::sheet_font)* sheet_font;
   decltype(texture::drawn)* drawn;
   decltype(texture::write_captions)* write_captions;

@@ -96,10 +96,6 @@ Image read_channels(const fs::path& path, const std::vector<std::string>& names)
 
 Windows windows_of(const fs::path& path) { return images().windows_of(path); }
 
-std::optional<std::string> read_attribute(const fs::path& path, std::string_view name) {
-  return images().read_attribute(path, name);
-}
-
 std::vector<std::optional<std::string>> read_attributes(const fs::path& path,
                                                         std::span<const std::string_view> names) {
   return images().read_attributes(path, names);
@@ -121,11 +117,6 @@ void require_albedo_map(const fs::path& path) { images().require_albedo_map(path
 void write_exr(const fs::path& path, const Image& image, const Attributes& attributes,
                const ExrOptions& options) {
   images().write_exr(path, image, attributes, options);
-}
-
-void write_exr(const fs::path& path, const Layout& layout, const Rows& rows,
-               const Attributes& attributes, const ExrOptions& options) {
-  images().write_exr_of_rows(path, layout, rows, attributes, options);
 }
 
 void write_exr(const fs::path& path, std::span<const Part> parts, const Attributes& attributes,
@@ -163,11 +154,6 @@ void write_usdz(const fs::path& path, const Image& developed) {
 void write_glb(const fs::path& path, const Image& image, const std::string& generator,
                GlbTexels texels) {
   images().write_glb(path, image, generator, texels);
-}
-
-SheetGrid sheet_grid(std::size_t pictures, std::size_t columns, std::size_t width,
-                     std::size_t height) {
-  return images().sheet_grid(pictures, columns, width, height);
 }
 
 fs::path sheet_font() { return images().sheet_font(); }
