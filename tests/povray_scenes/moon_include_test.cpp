@@ -46,6 +46,7 @@ Luminance landscape(const std::string& globals, double enlarged, double sky) {
                                        .width = 61,
                                        .height = 60},
                             .texture = "moon.exr"});
+  std::ofstream(folder.path / settings_file, std::ios::app) << "Antialias=off\n";
   std::ofstream(folder.path / scene_file)
       << "#version 3.7;\nglobal_settings { assumed_gamma 1.0 " << globals
       << " }\n#include \"moon.inc\"\n"

@@ -32,8 +32,8 @@ Moonlight light_through(const eclipse::Eclipse& eclipse, const MoonRequest& moon
                           progress);
 }
 
-/// Spans of a property of the sky between two moments. It is looked for every 5 minutes by the quick theory of the Moon,
-/// and the edges are found to 10 s by the full one.
+/// Spans of a property of the sky between two moments, looked for every 5 minutes, their edges found to 10 s. The quick
+/// theory of the Moon finds where to look by the full one.
 template <class Property>
 std::vector<Span> spans_of(const Span& whole, const Property& holds) {
   using enum almanac::LunarTheory;
@@ -46,12 +46,15 @@ std::vector<Span> spans_of(const Span& whole, const Property& holds) {
   bool before = false;
   for (double s = 0; s < seconds + between_looks_s; s += between_looks_s) {
     double to = std::min(s, seconds), from = std::max(0., s - between_looks_s);
-    const bool now = at(to, moon98);
-    if (now != before && s > 0)
+    bool now = at(to, s > 0 ? moon98 : elp_2000_82b);
+    if (now != before && s > 0) now = at(to, elp_2000_82b);
+    if (now != before && s > 0) {
+      if (at(from, elp_2000_82b) != before) to = std::exchange(from, from - between_looks_s);
       while (to - from > 10) {
         const double middle = (from + to) / 2;
         (at(middle, elp_2000_82b) == before ? from : to) = middle;
       }
+    }
     if (now && !before) spans.emplace_back(almanac::later(whole.first, to), whole.second);
     if (!now && before) spans.back().second = almanac::later(whole.first, from);
     before = now;

@@ -76,8 +76,15 @@ using almanac::Instant;
 
 constexpr double step_s = 1800;
 
+/// Height of the Moon's upper limb above the horizon [rad]; far from it by the quick theory of the Moon.
 double height(const almanac::Observer& place, const Instant& when) {
-  return algebra::in_radians(above_horizon(place, almanac::sky_at(when)));
+  constexpr double far = 0.02;  // in 2000 BC the theories differ by a third of it
+  using enum almanac::LunarTheory;
+  const auto by = [&](almanac::LunarTheory theory) {
+    return algebra::in_radians(above_horizon(place, almanac::sky_at(when, theory)));
+  };
+  const double quick = by(moon98);
+  return std::abs(quick) > far ? quick : by(elp_2000_82b);
 }
 
 /// Zero of the height between two moments, by bisection to 0.02 s.
