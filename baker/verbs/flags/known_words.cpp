@@ -129,6 +129,7 @@ constexpr Meaning flags_elsewhere[] = {
 constexpr Meaning flags_before[] = {
     {"precision", "photons are no longer marched; --tolerance says how exact light is to be"},
     {"trace", "the solver photons goes by a table, literal steps each photon as in the paper"},
+    {"lookup", "coppermoon shader writes the shadow of a moment, or of an eclipse, for shaders"},
 };
 
 /// Names of commands in other programs, and ours.
