@@ -17,9 +17,7 @@ namespace {
 
 constexpr int layers_inside = 32;
 
-using Coefficients = DiscFunction;
-
-Coefficients over_mean(Coefficients a) {
+DiscFunction over_mean(DiscFunction a) {
   double mean = 0;
   // FAULT the Sun's disc 1 % too dark: mean += 2 * a[k] => mean += 2.02 * a[k]
   for (std::size_t k = 0; k < a.size(); ++k) mean += 2 * a[k] / static_cast<double>(k + 2);
@@ -27,27 +25,25 @@ Coefficients over_mean(Coefficients a) {
   return a;
 }
 
-Coefficients coefficients(double nm) {
+DiscFunction coefficients(double nm) {
   static const auto table =
       algebra::parse_table(tables::solar_limb_darkening(), "solar_limb_darkening.csv");
   algebra::require_within("wavelength [nm]", nm, atmosphere::shortest_nm, atmosphere::longest_nm);
   constexpr std::array columns{"A0", "A1", "A2", "A3", "A4", "A5"};
-  Coefficients a;
+  DiscFunction a;
   for (std::size_t k = 0; k < a.size(); ++k)
     a[k] = algebra::interpolated(table["wavelength_nm"], table[columns[k]], nm);
   return over_mean(a);
 }
 
-double slope(const Coefficients& a, double mu) {
+double slope(const DiscFunction& a, double mu) {
   double sum = 0;
   for (std::size_t k = a.size(); k-- > 1;) sum = sum * mu + static_cast<double>(k) * a[k];
   return sum;
 }
 
-DiscLayers uniform_disc(std::size_t wavelengths) { return {{1}, {1, wavelengths, 1}}; }
-
 /// Mean of a product over the disc, 2 ∫ f g μ dμ.
-double mean_product(const Coefficients& f, const Coefficients& g) {
+double mean_product(const DiscFunction& f, const DiscFunction& g) {
   double sum = 0;
   for (const auto& node : algebra::gauss_legendre(8)) {
     const double mu = (1 + node.x) / 2;
@@ -56,7 +52,7 @@ double mean_product(const Coefficients& f, const Coefficients& g) {
   return sum;
 }
 
-void subtract(double times, const Coefficients& f, Coefficients& from) {
+void subtract(double times, const DiscFunction& f, DiscFunction& from) {
   for (std::size_t k = 0; k < f.size(); ++k) from[k] -= times * f[k];
 }
 
@@ -74,7 +70,7 @@ double limb_darkening(algebra::Wavelength wavelength, double cos_angle) {
 }
 
 DiscLayers disc_layers(std::span<const double> wavelengths_nm, bool limb_darkened) {
-  if (!limb_darkened) return uniform_disc(wavelengths_nm.size());
+  if (!limb_darkened) return {{1}, {1, wavelengths_nm.size(), 1}};
   DiscLayers layers{{1}, {1 + layers_inside, wavelengths_nm.size()}};
   const auto nodes = algebra::gauss_legendre(layers_inside);
   for (const auto& node : nodes)
@@ -93,7 +89,7 @@ DiscTerms disc_terms(std::span<const double> wavelengths_nm, bool limb_darkened,
   const std::size_t waves = wavelengths_nm.size();
   if (!limb_darkened || waves == 0) return {{{1}}, {1, waves, 1}};
   algebra::require_within("terms of the Sun's disc", count, 1, 6);
-  std::vector<Coefficients> left;
+  std::vector<DiscFunction> left;
   for (const double nm : wavelengths_nm) left.push_back(coefficients(nm));
   DiscTerms terms{{left[waves / 2]}, {static_cast<std::size_t>(count), waves}};
   for (std::size_t w = 0; w < waves; ++w) {
@@ -102,7 +98,7 @@ DiscTerms disc_terms(std::span<const double> wavelengths_nm, bool limb_darkened,
   }
   for (std::size_t j = 1; j < terms.brightness.rows(); ++j) {
     const auto worst =
-        std::ranges::max(left, {}, [](const Coefficients& f) { return mean_product(f, f); });
+        std::ranges::max(left, {}, [](const DiscFunction& f) { return mean_product(f, f); });
     const double size = std::sqrt(mean_product(worst, worst));
     auto& function = terms.functions.emplace_back();
     if (size < 1e-12) continue;  // earlier terms already represent every wavelength

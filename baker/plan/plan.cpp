@@ -34,29 +34,19 @@ Knob knob(std::vector<double> settings, const std::optional<Member>& by_hand,
           [member](Work& work, double value) { work.*member = static_cast<Member>(value); }};
 }
 
-/// Knob of a term: off and, where the term makes a difference, on.
-Knob term(bool there, const ByHand& by_hand, bool Work::*member) {
-  std::vector<double> settings = there ? std::vector<double>{0, 1} : std::vector<double>{0};
-  if (by_hand.terms) settings = {*by_hand.terms.*member ? 1. : 0.};
-  return {std::move(settings), [member](Work& work, double value) { work.*member = value != 0; }};
-}
-
-/// Knob of refracted light: always on where it is needed, since coarse refracted light may be worse than none.
-Knob refracted(double tolerance, const Scene& scene, const ByHand& by_hand) {
-  if (by_hand.terms || scene.without_refracted <= tolerance)
-    return term(scene.without_refracted > 0, by_hand, &Work::refracted);
-  return {{1}, [](Work& work, double) { work.refracted = true; }};
-}
-
-Knob scattered(const Scene& scene, const ByHand& by_hand) {
-  if (!by_hand.terms && by_hand.scattered_light)
-    return {{1}, [](Work& work, double) { work.scattered_light = true; }};
-  return term(scene.without_scattered > 0, by_hand, &Work::scattered_light);
-}
-
+/// Switches of the terms: off and, where a term makes a difference, on. Refracted light is always on where it is
+/// needed, since coarse refracted light may be worse than none.
 std::vector<Knob> switches(double tolerance, const Scene& scene, const ByHand& by_hand) {
-  return {refracted(tolerance, scene, by_hand), term(scene.ellipsoid, by_hand, &Work::ellipsoid),
-          term(scene.columns > 1, by_hand, &Work::regions), scattered(scene, by_hand)};
+  const auto term = [&](bool Work::*member, bool there, bool always = false) -> Knob {
+    std::vector<double> settings{0};
+    if (there) settings = {0, 1};
+    if (always) settings = {1};
+    if (by_hand.terms) settings = {*by_hand.terms.*member ? 1. : 0.};
+    return {std::move(settings), [member](Work& work, double value) { work.*member = value != 0; }};
+  };
+  return {term(&Work::refracted, scene.without_refracted > 0, scene.without_refracted > tolerance),
+          term(&Work::ellipsoid, scene.ellipsoid), term(&Work::regions, scene.columns > 1),
+          term(&Work::scattered_light, scene.without_scattered > 0, by_hand.scattered_light)};
 }
 
 std::vector<double> doubled(double from, double to) {
@@ -217,14 +207,9 @@ Term term_named(std::string_view name) {
 }
 
 std::string_view name(Solver solver) {
-  switch (solver) {
-    case Solver::table:
-      return "photons by table";
-    case Solver::literal:
-      return "photons literal";
-    default:
-      return "quadrature";
-  }
+  constexpr std::array<std::string_view, 4> names{"quadrature", "photons by table",
+                                                  "photons literal", "auto"};
+  return names[static_cast<std::size_t>(solver)];
 }
 
 Work finer(const Work& work) {

@@ -30,10 +30,6 @@ constexpr std::size_t deciding_waves = 8;
 /// spread evenly over heights, not over landings.
 constexpr double blind_share = 0.2, even_share = 0.25;
 
-void pad(std::span<float> row, std::size_t waves, float value) {
-  std::fill(row.begin() + static_cast<std::ptrdiff_t>(waves), row.end(), value);
-}
-
 /// Half of the arc about the axis, at an axis distance, that lies in a disc of radius 1 about a centre.
 double half_arc(double centre, double distance) {
   const double q = std::abs(centre);
@@ -157,7 +153,8 @@ void LimbLandings::fill_landings(const photons::WholeLimb::Part& part, Table& ta
                       // FAULT photons of all planes land on the first: depths_m[k] => depths_m[0]
                       arrangement_.sun_distance_m, arrangement_.depths_m[k]));
       }
-      pad(table.landing_m[k].row(i), waves_, table.landing_m[k](i, waves_ - 1));
+      std::ranges::fill(table.landing_m[k].row(i).subspan(waves_),  // of the padding, as the last
+                        table.landing_m[k](i, waves_ - 1));
     });
 }
 

@@ -20,7 +20,6 @@ namespace {
 using atmosphere::Column;
 using atmosphere::Density;
 using photons::LimbPath;
-using photons::Precision;
 
 constexpr double radius_m = 6.378e6;
 constexpr double green = 2.770936e-4;  // n₀ − 1 at 550 nm
@@ -187,8 +186,7 @@ TEST(Air, ThatBendsAsTheEarthDoesIsRefusedFromTheClosedFormOn) {
              [] { photons::limb_path(0, 10 * radius_m, {}, green); });
   EXPECT_EQ(atmosphere::critical_refractivity({.refraction = false}, radius_m),
             std::numeric_limits<double>::infinity());
-  EXPECT_GT(atmosphere::critical_refractivity({}, 1e7), 1e-3)
-      << "all ordinary air";
+  EXPECT_GT(atmosphere::critical_refractivity({}, 1e7), 1e-3) << "all ordinary air";
 }
 
 TEST(Air, ThatBendsLittleBendsInProportion) {

@@ -69,5 +69,5 @@ int main(int count, char** words) {
   for (const bool literal : {true, false})
     for (double photons = 1e4; photons < 1.1 * most * (literal ? 1 : 100);
          photons *= std::sqrt(10.))
-      print_errors(trace, photons, exact);
+      print_errors(literal, photons, exact);
 }

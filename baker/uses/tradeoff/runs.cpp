@@ -88,15 +88,14 @@ class Run {
   void make(const Sweep& sweep) {
     if (sweep.varied == texture_sweep) return make_textures(sweep);
     for (const auto& trial : sweep.trials()) {
-      auto one = measured(trial, trial == sweep.middle);
+      auto one = measured(trial);
       one.varied = sweep.varied;
       one.value = trial.*sweep.setting;
       made_.push_back(one);
     }
   }
 
-  /// Given  is_middle  whether the light is that of a sweep's middle, which a sweep of textures needs again
-  Measured measured(const Trial& trial, bool is_middle) {
+  Measured measured(const Trial& trial) {
     if (const auto* smaller = nearest_smaller(trial, made_)) {
       if (smaller->trial == trial) return *smaller;
       const double at_most_s = smaller->seconds * work_of(trial) / work_of(smaller->trial);
@@ -105,9 +104,7 @@ class Run {
     }
     shadow::RefractedLight light;
     const double seconds = timed(trial, light);
-    const auto errors = yardstick_.errors_of(light, trial.photons > 0);
-    if (is_middle && trial.solver == plan::Solver::quadrature) middle_ = {trial, std::move(light)};
-    return {trial, {}, 0, seconds, errors, false};
+    return {trial, {}, 0, seconds, yardstick_.errors_of(light, trial.photons > 0), false};
   }
 
   /// Least seconds of some runs; of three or more where one is short.
@@ -147,10 +144,6 @@ class Run {
     Trial trial;
     double seconds;
   };
-  struct Lit {
-    Trial trial;
-    shadow::RefractedLight light;
-  };
 
   /// Timed trials of the least and the most work among those that differ from a trial in work alone, one or more.
   std::pair<Timed, Timed> least_and_most(const Trial& trial) const {
@@ -166,9 +159,7 @@ class Run {
   /// Times the bake, and compares the picture with that of the widest texture.
   void make_textures(const Sweep& sweep) {
     constexpr std::size_t most_pixels = 1024;
-    if (middle_.trial != sweep.middle)
-      middle_ = {sweep.middle, light_by(sweep.middle, yardstick_, {})};
-    const auto& light = middle_.light;
+    const auto light = light_by(sweep.middle, yardstick_, {});
     const auto errors = yardstick_.errors_of(light, false);
     const auto widest = static_cast<std::size_t>(sweep.values.back());
     const auto reference = yardstick_.baked(light, widest);
@@ -189,7 +180,6 @@ class Run {
   std::size_t trials_ = 0;
   std::vector<Measured> made_;
   std::vector<Timed> timed_;
-  Lit middle_{};  ///< of the quadrature, made last
 };
 
 }  // namespace

@@ -132,6 +132,17 @@ texture::Image seen_from_earth(const texture::Image& texture, const almanac::Sky
   return seen;
 }
 
+/// Errors within the umbra and beyond it.
+struct ErrorsByZone {
+  Errors umbra, penumbra;
+
+  /// Given  at_m  axis distance, in proportion to which is the area
+  void add(double found, double expected, double at_m) {
+    (at_m < umbra_m ? umbra : penumbra).add(found, expected, at_m);
+  }
+  LightErrors spread() const { return {umbra.spread(), penumbra.spread(), {}}; }
+};
+
 /// Axis distances that the Moon's disc takes in.
 shadow::LookupRange over_the_disc(const almanac::SkyState& sky) {
   const double centre = algebra::in_metres(
@@ -187,33 +198,28 @@ const Grid<double>& Yardstick::direct(std::size_t bands) {
 }
 
 LightErrors Yardstick::errors_of(const shadow::RefractedLight& light, bool in_rings) {
-  LightErrors errors;
   const auto refracted = luminance_of(light);
   const auto& clear = direct(light.wavelengths_nm.size());
-  if (in_rings)
-    compare_in_rings(refracted, clear, light.axis_distances_m, errors);
-  else
-    compare_at_places(refracted, clear, errors);
+  auto errors = in_rings ? errors_in_rings(refracted, clear, light.axis_distances_m)
+                         : errors_at_places(refracted, clear);
   errors.picture =
       picture_errors(texture_, baked(light, settings_.texture_width), settings_.texture_width / 2);
   return errors;
 }
 
-void Yardstick::compare_at_places(const Grid<double>& refracted, const Grid<double>& clear,
-                                  LightErrors& errors) const {
-  Errors umbra, penumbra;
+LightErrors Yardstick::errors_at_places(const Grid<double>& refracted,
+                                        const Grid<double>& clear) const {
+  ErrorsByZone errors;
   for (std::size_t s = 0; s < sectors_; ++s)
     for (std::size_t d = 0; d < distances_m_.size(); ++d)
-      (distances_m_[d] < umbra_m ? umbra : penumbra)
-          .add(refracted(s, d) + clear(s, d), total_(s, d), distances_m_[d]);
-  errors.umbra = umbra.spread();
-  errors.penumbra = penumbra.spread();
+      errors.add(refracted(s, d) + clear(s, d), total_(s, d), distances_m_[d]);
+  return errors.spread();
 }
 
-void Yardstick::compare_in_rings(const Grid<double>& refracted, const Grid<double>& clear,
-                                 std::span<const double> rings_m, LightErrors& errors) const {
+LightErrors Yardstick::errors_in_rings(const Grid<double>& refracted, const Grid<double>& clear,
+                                       std::span<const double> rings_m) const {
   const double half = rings_m[0];
-  Errors umbra, penumbra;
+  ErrorsByZone errors;
   for (std::size_t s = 0; s < refracted.rows(); ++s) {
     const auto expected = over_sector(total_, s, refracted.rows()),
                beside = over_sector(clear, s, refracted.rows());
@@ -223,11 +229,10 @@ void Yardstick::compare_in_rings(const Grid<double>& refracted, const Grid<doubl
       const auto there = [&](std::span<const double> values) {
         return algebra::interpolated(distances_m_, values, at);
       };
-      (at < umbra_m ? umbra : penumbra).add(refracted(s, r) + there(beside), there(expected), at);
+      errors.add(refracted(s, r) + there(beside), there(expected), at);
     }
   }
-  errors.umbra = umbra.spread();
-  errors.penumbra = penumbra.spread();
+  return errors.spread();
 }
 
 texture::Image Yardstick::baked(const shadow::RefractedLight& light, std::size_t width) const {

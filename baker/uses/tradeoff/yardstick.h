@@ -97,9 +97,9 @@ class Yardstick {
   using Field = algebra::Grid<double>;  // (sector, place): luminance
 
   const Field& direct(std::size_t bands);
-  void compare_at_places(const Field& refracted, const Field& clear, LightErrors& errors) const;
-  void compare_in_rings(const Field& refracted, const Field& clear, std::span<const double> rings_m,
-                        LightErrors& errors) const;
+  LightErrors errors_at_places(const Field& refracted, const Field& clear) const;
+  LightErrors errors_in_rings(const Field& refracted, const Field& clear,
+                              std::span<const double> rings_m) const;
 
   MeasuredScene scene_;
   ReferenceSettings settings_;

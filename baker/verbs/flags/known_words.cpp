@@ -64,6 +64,7 @@ constexpr Meaning flags_elsewhere[] = {
 constexpr std::pair<std::string_view, std::string_view> flags_before[] = {
     {"precision", "photons are no longer marched; --tolerance says how exact light is to be"},
     {"trace", "the solver photons goes by a table, literal steps each photon as in the paper"},
+    {"lookup", "coppermoon shader writes the shadow of a moment, or of an eclipse, for shaders"},
 };
 
 constexpr Meaning verbs_elsewhere[] = {

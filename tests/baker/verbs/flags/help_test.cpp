@@ -95,6 +95,8 @@ TEST(Suggestions, AreWhatIsMeantOrAlmostSpelt) {
   EXPECT_EQ(flag_suggested_for("exposure", flags), "; did you mean --time?");
   EXPECT_EQ(flag_suggested_for("widht", flags), "; did you mean --width?");
   EXPECT_EQ(flag_suggested_for("verbose", flags), "");
+  EXPECT_TRUE(
+      flag_suggested_for("precision", flags).starts_with("; photons are no longer marched"));
   EXPECT_EQ(flag_suggested_for("xyz", flags), "");
   EXPECT_EQ(flag_suggested_for(std::string(100000, 'x'), flags), "");
   EXPECT_EQ(verb_suggested_for("render", {"still", "ring"}), "; did you mean still?");
