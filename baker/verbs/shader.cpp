@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "algebra/error.h"
+#include "eclipse/moment.h"
 #include "uses/picture/picture_parameters.h"
 #include "uses/shader/eclipse_shader.h"
 #include "verbs/command_line.h"
