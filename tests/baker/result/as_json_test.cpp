@@ -15,7 +15,7 @@ namespace {
 TEST(AsJson, HasTheKeysInTheOrderOfTheDescription) {
   Lamp lamp;
   EXPECT_EQ(as_json(lamp).dump(),
-            R"({"lit":"1503-07-27T20:21:46Z","tilt_deg":30.0,"kind":"oil",)"
+            R"({"lit":"1503-07-27T20:21:46Z","tilt_deg":45.0,"kind":"oil",)"
             R"("colours":{"red":1.0,"blue":0.25},"soot":null,)"
             R"("spares":[{"height_mm":1.0,"burnt":0.5},{"height_mm":3.0,"burnt":null}],)"
             R"("flicker":[1.0,2.0],"warm":true})");
@@ -51,7 +51,7 @@ TEST(ColumnsOf, GatherNumbersAloneAndAnglesInDegrees) {
   const auto columns = columns_of(std::vector<Lamp>{{}, sooty});
   ASSERT_EQ(columns.size(), 2U);
   EXPECT_EQ(columns[0].first, "tilt_deg");
-  EXPECT_DOUBLE_EQ(columns[0].second[1], 30);
+  EXPECT_DOUBLE_EQ(columns[0].second[1], 45);
   EXPECT_EQ(columns[1].first, "soot");
   EXPECT_TRUE(std::isnan(columns[1].second[0]));
   EXPECT_EQ(columns[1].second[1], 0.5);

@@ -26,7 +26,7 @@ void describe(Field&& is, const Wick& wick) {
 
 struct Lamp {
   almanac::Instant lit = almanac::instant_from_utc("1503-07-27T20:21:45.678Z");
-  algebra::Angle tilt = algebra::degrees(30);
+  algebra::Angle tilt = algebra::degrees(45);
   algebra::ByName<double> colours{{"red", 1}, {"blue", 0.25}};
   std::optional<double> soot{};
   std::optional<std::string> maker{};
