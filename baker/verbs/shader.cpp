@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "algebra/error.h"
+#include "eclipse/moment.h"
 #include "uses/picture/picture_parameters.h"
 #include "uses/shader/eclipse_shader.h"
 #include "verbs/command_line.h"

@@ -5,6 +5,7 @@
 #include "algebra/error.h"
 #include "end_to_end/random_photograph.h"
 #include "uses/fit/compared_night.h"
+#include "uses/fit/lit_bins.h"
 
 namespace coppermoon::end_to_end {
 namespace {
