@@ -6,6 +6,7 @@
 #include "end_to_end/random_photograph.h"
 #include "support/chance.h"
 #include "uses/fit/compared_night.h"
+#include "uses/fit/lit_bins.h"
 
 namespace coppermoon::end_to_end {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "colour/similarity.h"
 #include "texture/image.h"
-#include "uses/fit/scene.h"
+#include "uses/fit/placing.h"
 
 namespace coppermoon::uses {
 
@@ -55,5 +55,25 @@ struct ScannedClock {
 ScannedClock scanned_clock(const FitGroundwork& groundwork, std::span<const ClockView> views,
                            double from_s, double to_s,
                            const std::function<double(double clock_s)>& believed);
+
+/// Clock of a camera: what is added to its instants.
+struct Clock {
+  double added_s = 0;     ///< correction that light is computed for
+  double believed_s = 0;  ///< mean of the correction before light is compared
+  double error_s = 0;     ///< standard error of that; 0: instants are exact
+};
+
+/// Whether the clock of a night's photographs is looked for, beyond what light tells within a minute or so.
+bool clock_is_free(const FitRequest& request);
+
+/// Skies over the moments of a request's photographs, or over the whole eclipse where these are uncertain.
+std::vector<almanac::SkyState> skies_of(const FitRequest& request);
+
+/// Clock of a night's photographs, at which the shadow is where it is on six of them: in steps of half an hour where
+/// half hours are free, then as scanned_clock. Where the clock is not free, or no photograph is registered: as it was
+/// told.
+///
+/// Throws  Error  when half hours are free and none makes an eclipse of the instants
+Clock scanned_clock(const Stage& stage, std::span<const Reading> readings);
 
 }  // namespace coppermoon::uses

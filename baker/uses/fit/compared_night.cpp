@@ -36,10 +36,7 @@ double correlation_of_computation(double distance_km) {
 /// Covariance of the map's errors, (bin, bin), independent in each channel: 1.2 % in each place of 200 km, over
 /// which a bin is the mean.
 algebra::Grid<double> covariances_of_map(const FitScene& scene) {
-  constexpr double error = 0.012, place_km = 200,
-                   pixel_km = 2 * algebra::in_kilometres(almanac::lunar_radius) /
-                              (fit_disc_share * fit_side_px),
-                   place_px = place_km / pixel_km;
+  constexpr double error = 0.012, place_px = 200 / fit_pixel_km;
   constexpr auto across = static_cast<std::size_t>(fit_side_px / place_px) + 1;
   const auto place = [](std::size_t px) {
     return static_cast<std::size_t>(static_cast<double>(px) / place_px);
@@ -120,24 +117,6 @@ struct Sum {
 };
 
 }  // namespace
-
-FittedLight night_light(const LightRequest& request, Unknowns unknowns,
-                        std::span<const Binned> photographs,
-                        std::span<const almanac::Instant> instants, double clock_error_s,
-                        FittedAirs airs, const algebra::Progress& progress,
-                        const std::optional<AirRange>& range) {
-  std::vector<LitBins> parts;
-  std::vector<almanac::SkyState> skies;
-  for (std::size_t p = 0; p < photographs.size(); ++p)
-    for (const double step_s : clock_steps_s(clock_error_s)) {
-      skies.push_back(almanac::sky_at(almanac::later(instants[p], step_s)));
-      parts.push_back(lit_bins(*photographs[p].scene, skies.back()));
-    }
-  std::ranges::sort(skies, [](const auto& one, const auto& other) {
-    return almanac::seconds_between(one.when, other.when) > 0;
-  });
-  return {request, unknowns, skies, parts, airs, progress, range};
-}
 
 ComparedNight::ComparedNight(std::span<const Binned> photographs, const NightErrors& errors)
     : errors_(errors), rows_(rows_of(photographs, errors)), mixed_(is_mixed(photographs)) {

@@ -6,27 +6,10 @@
 #include <vector>
 
 #include "uses/fit/air_fit.h"
-#include "uses/fit/lit_bins.h"
 #include "uses/fit/nuisance_table.h"
 #include "uses/fit/nuisances.h"
 
 namespace coppermoon::uses {
-
-/// Clock of a camera: what is added to its instants.
-struct Clock {
-  double added_s = 0;     ///< correction that light is computed for
-  double believed_s = 0;  ///< mean of the correction before light is compared
-  double error_s = 0;     ///< standard error of that; 0: instants are exact
-};
-
-/// Model light of a night's photographs, as NightRows.
-///
-/// Given  instants  of the photographs: those of their scenes, or others
-FittedLight night_light(const LightRequest& request, Unknowns unknowns,
-                        std::span<const Binned> photographs,
-                        std::span<const almanac::Instant> instants, double clock_error_s,
-                        FittedAirs airs = FittedAirs::fine, const algebra::Progress& progress = {},
-                        const std::optional<AirRange>& range = {});
 
 /// Measured light at a distance from the shadow's axis, beside that of the air of the least χ².
 struct MeasuredLight {

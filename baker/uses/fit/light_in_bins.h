@@ -9,6 +9,8 @@
 #include "algebra/progress.h"
 #include "almanac/sky.h"
 #include "eclipse/shadow_axis.h"
+#include "shadow/irradiance.h"
+#include "shadow/lookup.h"
 #include "uses/fit/unknowns.h"
 #include "uses/light/moonlight.h"
 
@@ -46,5 +48,20 @@ std::vector<algebra::Grid<double>> light_in_bins(const LightRequest& request, Un
                                                  std::span<const AirNumbers> numbers,
                                                  bool scattered,
                                                  const algebra::Progress& progress = {});
+
+/// Refracted light at any place, by wavelength: linear between planes, cubic between sectors.
+class RefractedAt {
+ public:
+  /// Given  light  in all sectors, or in those of the places and one more at either end; outlives this
+  explicit RefractedAt(const shadow::RefractedLight& light);
+
+  /// Writes the ratio to unshadowed sunlight at each wavelength.
+  void read(const eclipse::ShadowPlace& place, std::span<double> ratios);
+
+ private:
+  const shadow::RefractedLight& light_;
+  shadow::BetweenPlaces between_places_;
+  std::vector<double> some_;
+};
 
 }  // namespace coppermoon::uses

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <numeric>
+
+#include "uses/fit/lit_bins.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -22,20 +25,22 @@ struct CoarseFit {
   std::vector<Misfit> misfits{};  ///< in that air
 };
 
-std::vector<almanac::Instant> instants(const FitRequest& request, std::span<const Binned> binned,
-                                       double clock_s) {
-  std::vector<almanac::Instant> all;
-  for (const auto& one : binned)
-    all.push_back(almanac::later(request.photographs[one.photograph].instant, clock_s));
-  return all;
-}
-
+/// Model light of a night's photographs, as NightRows.
 FittedLight light_of(const FitRequest& request, std::span<const Binned> binned, const Clock& clock,
                      FittedAirs airs, const algebra::Progress& progress,
                      const std::optional<AirRange>& range = {}) {
-  return night_light(request.moon.light, unknowns_of(request), binned,
-                     instants(request, binned, clock.added_s), clock.error_s, airs, progress,
-                     range);
+  std::vector<LitBins> parts;
+  std::vector<almanac::SkyState> skies;
+  for (const auto& one : binned)
+    for (const double step_s : clock_steps_s(clock.error_s)) {
+      const auto told = almanac::later(request.photographs[one.photograph].instant, clock.added_s);
+      skies.push_back(almanac::sky_at(almanac::later(told, step_s)));
+      parts.push_back(lit_bins(*one.scene, skies.back()));
+    }
+  std::ranges::sort(skies, [](const auto& one, const auto& other) {
+    return almanac::seconds_between(one.when, other.when) > 0;
+  });
+  return {request.moon.light, unknowns_of(request), skies, parts, airs, progress, range};
 }
 
 CoarseFit coarse_fit(const Stage& stage, std::span<const Binned> binned, const Clock& clock) {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "uses/fit/clock_scan.h"
 #include "uses/fit/compared_night.h"
-#include "uses/fit/night_clock.h"
 #include "uses/fit/placing.h"
 
 namespace coppermoon::uses {

@@ -103,7 +103,4 @@ Design design_of(std::span<const Nuisance> table, std::span<const Measurement> m
 /// Light of a bin in linear Rec.709 as a camera writes it, in each channel at least `least` of the brightest channel.
 std::array<double, 3> as_written(std::span<const double> xyz, const Mixing& mixing, double least);
 
-/// Least light of a channel over the brightest: cameras do not write less.
-inline constexpr double least_of_brightest = 0.003;
-
 }  // namespace coppermoon::uses

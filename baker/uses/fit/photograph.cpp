@@ -48,18 +48,21 @@ float shrunk_pixel(const texture::Image& photo, std::size_t top, std::size_t lef
   return most > nearly_clipped ? most : 2 * black > all ? 0 : sum / static_cast<float>(all);
 }
 
+/// A luminance in a smaller size, 1 or less.
+Channel smaller(const Channel& luminance, double size) {
+  const auto extent = [&](std::size_t pixels) {
+    return static_cast<std::size_t>(static_cast<double>(pixels) * size);
+  };
+  return size == 1 ? luminance
+                   : colour::resampled(luminance, {.scale = size}, extent(luminance.rows()),
+                                       extent(luminance.columns()));
+}
+
 /// Disc in a photograph, or where noise hides its limb in one of half or a quarter of the size.
 colour::Disc disc_in(const Channel& luminance) {
-  for (const double size : {1., 0.5, 0.25}) {
-    const auto extent = [&](std::size_t pixels) {
-      return static_cast<std::size_t>(static_cast<double>(pixels) * size);
-    };
-    const auto disc = colour::limb_of(size == 1 ? luminance
-                                                : colour::resampled(luminance, {.scale = size},
-                                                                    extent(luminance.rows()),
-                                                                    extent(luminance.columns())));
-    if (disc) return {disc->x_px / size, disc->y_px / size, disc->radius_px / size};
-  }
+  for (const double size : {1., 0.5, 0.25})
+    if (const auto disc = colour::limb_of(smaller(luminance, size)))
+      return {disc->x_px / size, disc->y_px / size, disc->radius_px / size};
   throw algebra::Error(
       "no Moon found, allowed is one with a quarter of its limb in the picture, neither clipped "
       "nor "
@@ -72,22 +75,15 @@ colour::Registration registered_by(const Channel& luminance, const FitScene& sce
                                    bool roughly) {
   std::exception_ptr first;
   for (double size = 1;; size /= 2) {
-    const colour::Similarity smaller{.scale = size};
-    const auto extent = [&](std::size_t pixels) {
-      return static_cast<std::size_t>(static_cast<double>(pixels) * size);
-    };
     try {
       colour::KnownBefore known{.scale = scale, .roughly = roughly};
       // finely both discs are by their limbs, whose errors are alike
       if (roughly) known.in_render = scene.disc;
       if (size == 1) known.in_photo = moon.disc;
       if (scale) *known.scale *= size;
-      auto found = colour::registered(
-          size == 1 ? luminance
-                    : colour::resampled(luminance, smaller, extent(luminance.rows()),
-                                        extent(luminance.columns())),
-          scene.usual, known);
-      found.render_to_photo = colour::composed(found.render_to_photo, colour::inverse(smaller));
+      auto found = colour::registered(smaller(luminance, size), scene.usual, known);
+      found.render_to_photo =
+          colour::composed(found.render_to_photo, colour::inverse({.scale = size}));
       for (double* of_disc :
            {&found.in_photo.x_px, &found.in_photo.y_px, &found.in_photo.radius_px})
         *of_disc /= size;
@@ -98,9 +94,6 @@ colour::Registration registered_by(const Channel& luminance, const FitScene& sce
     }
   }
 }
-
-const double scene_pixel_km =
-    2 * algebra::in_kilometres(almanac::lunar_radius) / (fit_disc_share * fit_side_px);
 
 /// Larger pixels of photograph and scene, over the scene's.
 double larger_pixel(const colour::Registration& registration) {
@@ -189,7 +182,7 @@ double off_limb_km(const FitScene& scene, const colour::Registration& registrati
       colour::moved(registration.render_to_photo, {scene.disc.x_px, scene.disc.y_px});
   const double apart_px =
       std::hypot(middle.x - limb.x_px, middle.y - limb.y_px) / registration.render_to_photo.scale;
-  return std::max(0., apart_px - of_limb * larger_pixel(registration)) * scene_pixel_km;
+  return std::max(0., apart_px - of_limb * larger_pixel(registration)) * fit_pixel_km;
 }
 
 double place_error_km(const FitScene& scene, const colour::Registration& registration,
@@ -199,7 +192,7 @@ double place_error_km(const FitScene& scene, const colour::Registration& registr
                                    : lies_in_umbra(scene.sky) ? in_umbra
                                                               : with_crescent,
                                    by_noise * (1 - registration.correlation));
-  return std::hypot(pixels * larger_pixel(registration) * scene_pixel_km,
+  return std::hypot(pixels * larger_pixel(registration) * fit_pixel_km,
                     off_limb_km(scene, registration));
 }
 

@@ -190,7 +190,6 @@ algebra::Grid<double> through_all_filters(const std::optional<std::string>& resp
 /// As FitScene has them.
 std::vector<algebra::Grid<double>> differences_by_filters(const FitScene& scene,
                                                           const shadow::Lookup& by_filters) {
-  constexpr double least_of_brightest = 0.003;  // cameras do not write less
   algebra::Grid<double> sums(scene.bins, by_filters.channels());
   std::vector<double> xyz(by_filters.channels());
   for (const auto& lit : lit_bins(scene, scene.sky).places) {

@@ -21,6 +21,13 @@
 
 namespace coppermoon::uses {
 
+/// Pixel of a scene at the middle of the disc.
+inline constexpr double fit_pixel_km =
+    2 * algebra::in_kilometres(almanac::lunar_radius) / (fit_disc_share * fit_side_px);
+
+/// Least light of a channel over the brightest: cameras do not write less.
+inline constexpr double least_of_brightest = 0.003;
+
 /// Ground that a pixel of the scene shows, well within the limb.
 struct FitGround {
   std::size_t pixel;  ///< row × columns + column

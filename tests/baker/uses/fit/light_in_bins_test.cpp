@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "uses/fit/refracted_at.h"
+#include "uses/fit/light_in_bins.h"
 
 #include <array>
 #include <cmath>
