@@ -3,7 +3,7 @@
 #pragma once
 
 #include "end_to_end/shadow_strip.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::end_to_end {
 

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The shadow as a look-up, read as a shader reads it.
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
-#include <sstream>
 
 #include "end_to_end/shadow_strip.h"
 #include "support/luther_camera.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::end_to_end {
 namespace {
@@ -119,8 +114,7 @@ TEST_F(ShadowStrip, IsSeenThroughACamerasFilters) {
   for (std::size_t i = 0; i < cie.light.values.size(); ++i)
     EXPECT_WITHIN(luther.light.values[i], cie.light.values[i], 1e-5 * cie.light.values[i] + 1e-10,
                   "rounding of matrices and floats");
-  EXPECT_NE(canon.facts["recipe"].get<std::string>().find("response = 'canon-eos-600d'"),
-            std::string::npos);
+  EXPECT_SAYS(canon.facts["recipe"].get<std::string>(), "response = 'canon-eos-600d'");
   const auto red_over_blue = [](const Strip& strip, double km) {
     const auto c = static_cast<std::size_t>(km / strip.fact("step_km"));
     double red = 0, blue = 0;
@@ -222,7 +216,7 @@ TEST_F(ShadowStrip, SaysWhatItCannotWrite) {
     words.insert(words.begin(), {"shadow", "2008-02-21T03:26:05Z"});
     const auto outcome = coppermoon(words);
     EXPECT_NE(outcome.status, 0);
-    EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
+    EXPECT_SAYS(outcome.err, why);
   };
   refused({"--lookup", "a.png"}, "a.png: a look-up ends in .exr or .cube");
   refused({"--lookup", "a.exr", "--response", "canon-6d"},

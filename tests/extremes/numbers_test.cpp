@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rays pushed over every edge: where they graze, how they are stepped, what the air is made of.
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
-#include <numbers>
-#include <vector>
 
 #include "atmosphere/presets.h"
 #include "extremes/worst.h"
@@ -14,6 +8,7 @@
 #include "photons/march.h"
 #include "photons/photon.h"
 #include "photons/trace.h"
+#include "support/testing.h"
 
 namespace coppermoon::extremes {
 namespace {

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "eclipse/sky_columns.h"
 
-#include <algorithm>
-#include <string>
-
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::eclipse {
 namespace {

@@ -5,13 +5,12 @@
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
 #include <atomic>
 #include <cstdlib>
-#include <optional>
 #include <thread>
 
 #include "baker/texture/scratch_folder.h"
+#include "support/testing.h"
 
 namespace {
 

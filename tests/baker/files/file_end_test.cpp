@@ -5,6 +5,7 @@
 
 #include "baker/texture/scratch_folder.h"
 #include "files/child_process.h"
+#include "support/testing.h"
 
 namespace {
 

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "photons/march.h"
 
-#include <gtest/gtest.h>
 #include <hwy/targets.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <vector>
-
-#include "algebra/error.h"
 #include "atmosphere/presets.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::photons {
 namespace {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "request/likeness.h"
 
-#include <gtest/gtest.h>
-
-#include <tuple>
+#include "support/testing.h"
 
 namespace coppermoon::request {
 namespace {

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/marched_photons.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
-
 #include "atmosphere/presets.h"
 #include "photons/bending.h"
 #include "shadow/photon_rows.h"
 #include "support/every_target.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::shadow {
 namespace {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "uses/film/fixed_view.h"
 
-#include <cmath>
-
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

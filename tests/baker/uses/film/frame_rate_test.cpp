@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "uses/film/frame_rate.h"
-#include "support/refusals.h"
-
-#include <gtest/gtest.h>
-
-#include "algebra/error.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

@@ -2,7 +2,7 @@
 #include "uses/night/star_limit.h"
 
 #include "atmosphere/sky_luminance.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

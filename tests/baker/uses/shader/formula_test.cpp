@@ -2,13 +2,7 @@
 // The formula, worked out step by step, of a Moon that stands still in a shadow of known light.
 #include "uses/shader/formula.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

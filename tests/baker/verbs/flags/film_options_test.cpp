@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "verbs/flags/film_options.h"
-#include "support/refusals.h"
-
-#include <string>
-#include <vector>
-
 #include <CLI/CLI.hpp>
 
-#include "algebra/error.h"
 #include "request/recipe.h"
-#include "support/within.h"
+#include "support/testing.h"
+#include "verbs/flags/film_options.h"
 #include "verbs/flags/verb.h"
 
 namespace coppermoon::verbs {

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/flags/light_options.h"
 
-#include <gtest/gtest.h>
-
-#include <string>
-
-#include "algebra/error.h"
+#include "support/testing.h"
 #include "verbs/flags/verb.h"
 
 namespace coppermoon::verbs {

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/recipes/recipe.h"
 
-#include <gtest/gtest.h>
 #include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
 
-#include "algebra/error.h"
+#include "support/testing.h"
 #include "texture/write_image.h"
 #include "uses/light/light_parameters.h"
 #include "verbs/flags/verb.h"
@@ -111,16 +106,15 @@ TEST_F(Recipe, LeavesWordsWithoutARecipeAlone) {
 }
 
 TEST_F(Recipe, NamesTheNearestOfAnUnknownFlag) {
-  EXPECT_NE(error_of(program.app, {"bake", "--ray", "5"}).find("did you mean --rays?"),
-            std::string::npos);
-  EXPECT_NE(error_of(program.app, {"bale"}).find("did you mean bake?"), std::string::npos);
+  EXPECT_SAYS(error_of(program.app, {"bake", "--ray", "5"}), "did you mean --rays?");
+  EXPECT_SAYS(error_of(program.app, {"bale"}), "did you mean bake?");
 }
 
 TEST_F(Recipe, NamesFileAndLineOfAnUnknownKey) {
   write("# first\n\nrayz = 5\n");
   const auto error = error_of(program.app, {"bake", "--recipe", path});
-  EXPECT_NE(error.find(path + ":3: rayz"), std::string::npos) << error;
-  EXPECT_NE(error.find("the nearest is rays"), std::string::npos) << error;
+  EXPECT_SAYS(error, path + ":3: rayz");
+  EXPECT_SAYS(error, "the nearest is rays");
 }
 
 TEST_F(Recipe, SaysNothingOfTheRunItself) {
@@ -169,7 +163,7 @@ TEST_F(Recipe, OfAWordHoldsAllButWhereResultsGo) {
 
 TEST_F(Recipe, NamesFilesWithoutTheFoldersOfTheUser) {
   const auto recipe = Program().recipe_after({"bake", "--albedo-map", "/home/alice/maps/moon.tif"});
-  EXPECT_NE(recipe.find("albedo-map = 'moon.tif'\n"), std::string::npos) << recipe;
+  EXPECT_SAYS(recipe, "albedo-map = 'moon.tif'\n");
 }
 
 TEST_F(Recipe, SpellsNumbersAlikeAndTextsAsTheyAre) {
@@ -285,7 +279,7 @@ TEST_F(Recipe, NamesFileAndLineOfABadValueInARegion) {
   EXPECT_TRUE(much.starts_with("2: region 'dust-extinction=much,")) << much;
   const auto word = error_in(where + "stratospheric-aerosol = \"thick\"\n");
   EXPECT_TRUE(word.starts_with("2: region '")) << word;
-  EXPECT_NE(word.find("moderate"), std::string::npos) << word;
+  EXPECT_SAYS(word, "moderate");
   for (const char* value : {"[1, 2]", "\"1,cloud-top-km=3\"", "\"\"", "[]"}) {
     const auto error = error_in(where + "cloud-cover = " + value + "\n");
     EXPECT_TRUE(error.starts_with("5: cloud-cover = ")) << error;
@@ -302,7 +296,7 @@ TEST_F(Recipe, WritesRegionsAsTablesAtTheEnd) {
                                       "--atmosphere", "clear", "--region",
                                       "from-position-angle=330,to-position-angle=30,"
                                       "stratospheric-aerosol=high"});
-  EXPECT_EQ(text.find("atmosphere = "), std::string::npos) << text;
+  EXPECT_SAYS_NOT(text, "atmosphere = ");
   EXPECT_TRUE(
       text.ends_with("\n[atmosphere]\nmodel = 'clear'\n"
                      "\n[[atmosphere.region]]\nfrom-latitude = -90\nto-latitude = 0\n"
@@ -314,9 +308,9 @@ TEST_F(Recipe, WritesRegionsAsTablesAtTheEnd) {
 
 TEST_F(Recipe, WithoutRegionsHasNoTables) {
   const auto text = AirProgram().recipe_after({"bake", "--atmosphere", "clear"});
-  EXPECT_NE(text.find("\natmosphere = 'clear'\n"), std::string::npos) << text;
-  EXPECT_EQ(text.find("region"), std::string::npos) << text;
-  EXPECT_EQ(text.find('['), std::string::npos) << text;
+  EXPECT_SAYS(text, "\natmosphere = 'clear'\n");
+  EXPECT_SAYS_NOT(text, "region");
+  EXPECT_SAYS_NOT(text, '[');
 }
 
 TEST_F(Recipe, WithRegionsRoundsTripThroughAFile) {
@@ -327,7 +321,7 @@ TEST_F(Recipe, WithRegionsRoundsTripThroughAFile) {
   const auto second =
       AirProgram().recipe_after(with_recipes(AirProgram().app, {"bake", "--recipe", path}));
   EXPECT_EQ(second, first);
-  EXPECT_NE(first.find("dust-extinction = 1e-05"), std::string::npos) << first;
+  EXPECT_SAYS(first, "dust-extinction = 1e-05");
 }
 
 TEST_F(Recipe, KeepsARegionThatStandsTwice) {
