@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "colour/bracket.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <vector>
-
-#include "algebra/error.h"
 #include "colour/photograph.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::colour {
 namespace {

@@ -2,25 +2,14 @@
 // Cameras by their spectral sensitivities, against the CIE observer, colour-science and Adobe's matrices.
 #include "colour/camera_spectra.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <glm/matrix.hpp>
-#include <numeric>
-#include <tuple>
 
-#include "algebra/error.h"
 #include "baker/texture/scratch_folder.h"
 #include "colour/camera.h"
 #include "colour/cie_observer.h"
 #include "colour/working_space.h"
 #include "support/luther_camera.h"
-#include "support/refusals.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::colour {
 namespace {

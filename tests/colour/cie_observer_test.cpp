@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "colour/cie_observer.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <vector>
-
-#include "algebra/error.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::colour {
 namespace {

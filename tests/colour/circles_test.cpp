@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "colour/circles.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::colour {
 namespace {

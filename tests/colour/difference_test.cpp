@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "colour/difference.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <vector>
-
-#include "algebra/error.h"
 #include "baker/atmosphere/published_table.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::colour {
 namespace {

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "colour/disc_features.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <numbers>
-
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::colour {
 namespace {

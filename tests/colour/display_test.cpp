@@ -1,29 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "colour/display.h"
 
-#include <gtest/gtest.h>
 #include <sys/stat.h>
-
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <functional>
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <limits>
-#include <numbers>
-#include <random>
 #include <regex>
-#include <sstream>
-#include <string>
-#include <vector>
 
-#include "algebra/error.h"
-#include "support/refusals.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::colour {
 namespace {
@@ -251,7 +236,7 @@ TEST(HuePreserving, OfAHighDynamicRangeHasNoShoulder) {
 constexpr double filmic_brightest = 2, filmic_darkest = 0x1p-16;
 
 TEST(Filmic, ShowsBothEndsOfTheStopsItStates) {
-  EXPECT_NE(config_text().find("17 stops, from 2 down to 2^-16"), std::string_view::npos);
+  EXPECT_SAYS(config_text(), "17 stops, from 2 down to 2^-16");
   for (const auto& display : standard_dynamic_range())
     for (const double end : {filmic_brightest, filmic_darkest}) {
       const float code =
@@ -360,10 +345,9 @@ TEST(Display, HasBuiltInTheConfigurationThatIsInstalled) {
 /// Its colours are compared with OpenColorIO's own where a newer one is (tests/hand_off/colour).
 TEST(Display, HasTheViewsOfAces2ForNewerOpenColorIo) {
   const auto text = config_text_of_aces2();
-  EXPECT_NE(text.find("\nocio_profile_version: 2.4\n"), text.npos);
-  EXPECT_EQ(text.find("\n#2.4"), text.npos);
-  EXPECT_NE(text.find("\n      ACES 2.0 SDR 100 nits (Rec.709),\n      Filmic, Log, Raw]"),
-            text.npos);
+  EXPECT_SAYS(text, "\nocio_profile_version: 2.4\n");
+  EXPECT_SAYS_NOT(text, "\n#2.4");
+  EXPECT_SAYS(text, "\n      ACES 2.0 SDR 100 nits (Rec.709),\n      Filmic, Log, Raw]");
   EXPECT_EQ(std::regex_replace(text, std::regex("\n#2\\.5"), "\n"),
             text_of(COPPERMOON_BUILT "/colour/config_aces2.ocio"));
 }

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "colour/glow.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "algebra/error.h"
 #include "colour/camera.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::colour {
 namespace {

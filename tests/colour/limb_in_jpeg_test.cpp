@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
-
 #include "colour/limb.h"
 #include "colour/taken_moons.h"
+#include "support/testing.h"
 #include "support/thorough.h"
 
 namespace coppermoon::colour {

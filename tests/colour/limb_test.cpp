@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "colour/limb.h"
 
-#include <gtest/gtest.h>
-
-#include <limits>
-
-#include "algebra/error.h"
 #include "colour/photographed_moon.h"
+#include "support/testing.h"
 #include "support/thorough.h"
-#include "support/within.h"
 
 namespace coppermoon::colour {
 namespace {

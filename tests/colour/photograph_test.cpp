@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "colour/photograph.h"
 
-#include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include <cmath>
-#include <limits>
-#include <numbers>
-
-#include "algebra/error.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::colour {
 namespace {

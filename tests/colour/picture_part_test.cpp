@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "colour/picture_part.h"
 
-#include <gtest/gtest.h>
+#include "support/testing.h"
 
 namespace coppermoon::colour {
 namespace {

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "colour/registration.h"
 
-#include <gtest/gtest.h>
-
-#include <optional>
-#include <string>
-
-#include "algebra/error.h"
 #include "colour/photographed_moon.h"
-#include "support/refusals.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::colour {
 namespace {

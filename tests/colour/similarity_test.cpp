@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "colour/similarity.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
-
-#include "algebra/error.h"
 #include "algebra/random.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::colour {
 namespace {

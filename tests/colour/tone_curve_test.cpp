@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "colour/tone_curve.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 
 #include "colour/measured_tone_curves.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::colour {
 namespace {

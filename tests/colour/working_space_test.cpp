@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "colour/working_space.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
-#include <limits>
-#include <string>
 
-#include "algebra/error.h"
 #include "colour/cie_observer.h"
-#include "support/refusals.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::colour {
 namespace {

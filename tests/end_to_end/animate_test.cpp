@@ -1,18 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <numbers>
-#include <numeric>
-#include <sstream>
 
 #include "end_to_end/luminance.h"
 #include "support/program.h"
-#include "support/within.h"
 #include "texture/read_image.h"
 
 namespace coppermoon::end_to_end {
@@ -31,12 +22,7 @@ class Animate : public ProgramTest {
   /// In air that takes a third of the time.
   static Words film(const Words& more) { return dated_film(more + "--atmosphere undated"); }
 
-  std::map<std::string, std::string> files() const {
-    std::map<std::string, std::string> all;
-    for (const auto& entry : fs::directory_iterator(here("film")))
-      all[entry.path().filename().string()] = text_of(entry.path());
-    return all;
-  }
+  auto files() const { return contents(here("film")); }
 
   std::set<std::string> names() const {
     std::set<std::string> all;
@@ -198,7 +184,7 @@ TEST_F(Animate, LaysTwoExposuresInOnePicture) {
     return std::stod(texture::read_attribute(picture, name).value_or("0"));
   };
   EXPECT_GT(told("coppermoon:longer_exposure_s") / told("expTime"), 30) << "five stops and more";
-  EXPECT_NE(outcome.out.find("\"longer_exposure_time_s\":"), std::string::npos);
+  EXPECT_SAYS(outcome.out, "\"longer_exposure_time_s\":");
   const auto image = texture::read_image(picture);
   const auto clipped = std::ranges::count_if(image.values, [](float v) { return v > 0.999F; });
   const auto seen = std::ranges::count_if(image.values, [](float v) { return v > 0.1F; });
@@ -254,8 +240,7 @@ TEST_F(Animate, RefusesABracketBeyondAllExposureTimesAtOnce) {
     const auto refused =
         coppermoon(film(words_of("--frames 1 --from U1 --bracket 1 --time {}", time)));
     EXPECT_EQ(refused.status, 1) << time;
-    EXPECT_NE(refused.err.find("exposure time of the bracket [s]"), std::string::npos)
-        << refused.err;
+    EXPECT_SAYS(refused.err, "exposure time of the bracket [s]");
     EXPECT_FALSE(std::filesystem::exists(here("film"))) << "before any work";
   }
 }
@@ -375,7 +360,7 @@ TEST_F(Animate, RefusesWhatItCannotMake) {
   for (const char* from : {"P1+nanmin", "P1-infh", "P1+1e300s"}) {
     const auto outcome = coppermoon(film({"--from", from}));
     EXPECT_EQ(outcome.status, 1);
-    EXPECT_NE(outcome.err.find(from), std::string::npos) << outcome.err;
+    EXPECT_SAYS(outcome.err, from);
   }
   expect_refusal(film("--mount fixed"), "mount = fixed: needs --at");
   expect_refusal(film("--at -21,55 --aim 30,20"), "mount = tracking: --aim needs a fixed one");

@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: MIT
 // The Moon as a whole, against what observers measured.
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "almanac/sky.h"
 #include "support/program.h"
-#include "support/within.h"
 
 namespace coppermoon::end_to_end {
 namespace {
 
 class Brightness : public ProgramTest {
  protected:
-  nlohmann::json of(Words words) const {
-    words = Words{"brightness"} + words;
-    words += "--json --albedo-map built-in --texture-width 512";
-    const auto outcome = coppermoon(words);
-    expect_done(outcome);
-    return nlohmann::json::parse(outcome.out, nullptr, false);
+  nlohmann::json of(const Words& words) const {
+    return json_of(Words{"brightness"} + words + "--albedo-map built-in --texture-width 512");
   }
 };
 

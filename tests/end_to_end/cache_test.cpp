@@ -51,9 +51,9 @@ TEST_F(Cache, IsListedWithWhatEachTextureIs) {
   EXPECT_EQ(said["bytes"].get<double>(), static_cast<double>(std::filesystem::file_size(older) +
                                                              std::filesystem::file_size(newer)));
   const auto words = in_cache({"cache"}).out;
-  EXPECT_NE(words.find("2018-07-27T19:40:17Z"), std::string::npos) << words;
-  EXPECT_NE(words.find("2 textures, "), std::string::npos) << words;
-  EXPECT_NE(words.find("limit 20 GB"), std::string::npos) << words;
+  EXPECT_SAYS(words, "2018-07-27T19:40:17Z");
+  EXPECT_SAYS(words, "2 textures, ");
+  EXPECT_SAYS(words, "limit 20 GB");
 }
 
 TEST_F(Cache, IsCleanedOfWhatWasUsedLongestAgo) {
@@ -69,7 +69,7 @@ TEST_F(Cache, IsCleanedOfWhatWasUsedLongestAgo) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_TRUE(is_there(first) && is_there(third));
   EXPECT_FALSE(is_there(second)) << outcome.out;
-  EXPECT_NE(outcome.out.find("1 textures removed"), std::string::npos) << outcome.out;
+  EXPECT_SAYS(outcome.out, "1 textures removed");
   expect_done(in_cache("cache --clean --limit 0"));
   EXPECT_FALSE(is_there(first) || is_there(third));
   EXPECT_EQ(text_of(here("kept/moon.tx")), "somebody else's");

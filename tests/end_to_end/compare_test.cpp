@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Photographs are made here, of the program's own frame: what a comparison must find is known.
 #include <OpenImageIO/imagebuf.h>
-
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "colour/exposure.h"
 #include "colour/measured_tone_curves.h"
 #include "colour/similarity.h"
 #include "support/program.h"
-#include "support/within.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 
@@ -75,13 +70,7 @@ class Compare : public ProgramTest {
     texture::write_png(here(name), photographed(frame_, truth_, value_per_cd_m2), bits, attributes);
   }
 
-  json compared(Words words) const {
-    words = Words{"compare"} + words;
-    words.emplace_back("--json");
-    const auto outcome = coppermoon(words);
-    expect_done(outcome);
-    return json::parse(outcome.out);
-  }
+  json compared(const Words& words) const { return json_of(Words{"compare"} + words); }
 
   void expect_registered(const json& found) const {
     const auto& is = found["registration"];

@@ -2,10 +2,7 @@
 // 3 March 2007: craters darken and brighten at the minutes that were foretold for the umbra's edge.
 // Those are by Danjon's rule, which stands for what observers of craters saw; here there is no
 // rule: the edge is where the computed light falls fastest.
-#include <algorithm>
-#include <cmath>
 #include <glm/matrix.hpp>
-#include <map>
 
 #include "almanac/sky.h"
 #include "atmosphere/presets.h"
@@ -16,7 +13,6 @@
 #include "shadow/by_quadrature.h"
 #include "shadow/lookup.h"
 #include "support/program.h"
-#include "support/within.h"
 #include "surface/albedo_map.h"
 #include "texture/read_image.h"
 

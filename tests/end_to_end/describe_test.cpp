@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Other programs rely on what `describe --json` says of parameters; the library keeps the ranges that it tells.
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -20,9 +17,7 @@ constexpr const char* eclipsed = "2018-07-27T20:21:45Z";
 class Describe : public ProgramTest {
  protected:
   json commands(const Words& chosen = {}) const {
-    const auto outcome = coppermoon(Words("describe --json") + chosen);
-    expect_done(outcome);
-    return json::parse(outcome.out).at("commands");
+    return json_of(Words("describe") + chosen).at("commands");
   }
 
   /// Parameters and parts of all commands, each name once.
@@ -47,7 +42,7 @@ TEST_F(Describe, HasEachCommandInTheOrderOfHelp) {
     const auto next = help.find("\n  " + command["name"].get<std::string>() + " ", at);
     ASSERT_NE(next, std::string::npos) << command["name"];
     at = next;
-    EXPECT_NE(help.find(command["meaning"].get<std::string>().substr(0, 20)), std::string::npos);
+    EXPECT_SAYS(help, command["meaning"].get<std::string>().substr(0, 20));
   }
 }
 
@@ -110,7 +105,7 @@ TEST_F(Describe, WithoutJsonIsATable) {
        {"bake\n", "  ozone-du                 photons  -              0 to 1000 DU\n",
         "    from-latitude          photons  -              -90 to 90 degrees\n",
         "  quality                  light    standard       draft, standard, "})
-    EXPECT_NE(outcome.out.find(row), std::string::npos) << row << outcome.out;
+    EXPECT_SAYS(outcome.out, row) << row << outcome.out;
 }
 
 TEST_F(Describe, MeaningsTellTheRange) {
@@ -231,7 +226,7 @@ TEST_F(Ranges, AreThoseThatTheLibraryKeeps) {
       const auto outcome = with(name, outside, false);
       EXPECT_TRUE(outcome.status == 1 || outcome.status == 2) << name << " = " << outside;
       EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
-      EXPECT_NE(outcome.err.find(fmt::format("allowed {:g} to {:g}", low, high)), std::string::npos)
+      EXPECT_SAYS(outcome.err, fmt::format("allowed {:g} to {:g}", low, high))
           << name << " = " << outside << ": " << outcome.err;
     }
   }

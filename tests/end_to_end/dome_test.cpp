@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "support/program.h"
-#include "support/within.h"
 #include "texture/read_image.h"
 
 namespace coppermoon::end_to_end {
@@ -18,9 +14,7 @@ const Words totality = "dome 2018-07-27T20:22Z --at Nairobi --quality draft";
 class DomeFile : public ProgramTest {
  protected:
   json dome(const Words& more, const std::string& file = "sky.exr") const {
-    const auto outcome = coppermoon(totality + more + Words{"-o", file, "--json"});
-    expect_done(outcome);
-    return json::parse(outcome.out);
+    return json_of(totality + more + Words{"-o", file});
   }
 
   texture::Image light(const std::string& file = "sky.exr") const {
@@ -41,7 +35,7 @@ TEST_F(DomeFile, SaysInItsHeaderWhatItIs) {
   EXPECT_EQ(said("colorInteropID"), "lin_rec709_scene");
   EXPECT_EQ(said("coppermoon:unit"), "cd/m^2");
   EXPECT_EQ(said("coppermoon:moon"), "on");
-  EXPECT_NE(said("coppermoon:projection").find("north in the middle column"), std::string::npos);
+  EXPECT_SAYS(said("coppermoon:projection"), "north in the middle column");
   for (const char* name :
        {"zenith_luminance_cd_m2", "sky_illuminance_lx", "sun_geometric_altitude_deg"})
     EXPECT_WITHIN_RELATIVE(std::stod(said((std::string("coppermoon:") + name).c_str())),
@@ -112,7 +106,7 @@ TEST_F(DomeFile, IsRefusedInOneLine) {
         {totality + "-o sky_acescg.exr --space lin_rec709", "acescg"}}) {
     const auto outcome = coppermoon(words);
     EXPECT_NE(outcome.status, 0);
-    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+    EXPECT_SAYS(outcome.err, part);
     EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1);
     EXPECT_TRUE(std::filesystem::is_empty(here()));
   }

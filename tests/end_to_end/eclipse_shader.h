@@ -4,13 +4,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-
 #include "end_to_end/browser.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "texture/read_image.h"
 
 namespace coppermoon::end_to_end {

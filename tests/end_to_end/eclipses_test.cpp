@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Eclipses that were measured, each in the air of its month.
-#include <array>
-#include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <utility>
-#include <vector>
 
 #include "baker/almanac/published_rows.h"
 #include "measurements/umbral_light.h"
 #include "support/program.h"
-#include "support/within.h"
 #include "uses/picture/brightness.h"
 
 namespace coppermoon::end_to_end {

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Pages of eclipses in a real browser, held against what the program itself computes.
 #include <fmt/format.h>
-
-#include <functional>
 #include <glm/geometric.hpp>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <random>
 
 #include "almanac/gazetteer.h"
 #include "almanac/observer.h"
@@ -14,7 +10,7 @@
 #include "colour/display.h"
 #include "end_to_end/browser.h"
 #include "povray_scenes/camera.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "texture/read_image.h"
 
 namespace coppermoon::end_to_end {
@@ -263,7 +259,7 @@ TEST_F(ExploreLight, IsReddenedByTheObserversAirAsTheCommandReddensIt) {
   for (std::size_t i = 0; i < sights.size(); ++i) {
     const auto& seen = said["seen"][i];
     const auto command = seen["command"].get<std::string>();
-    EXPECT_EQ(command.find("--reddening"), std::string::npos) << "on, as without a word";
+    EXPECT_SAYS_NOT(command, "--reddening") << "on, as without a word";
     const auto at = command.find("--at ") + 5;
     const auto error =
         error_of(seen["light"], places(500),
@@ -273,8 +269,7 @@ TEST_F(ExploreLight, IsReddenedByTheObserversAirAsTheCommandReddensIt) {
     EXPECT_LT(error.red, 0.01) << command;
   }
   EXPECT_WITHIN(said["seen"][1]["altitude"].get<double>(), 3.24, 0.05, "the Moon is low");
-  EXPECT_NE(said["command"].get<std::string>().find(" --reddening off --flattening off "),
-            std::string::npos);
+  EXPECT_SAYS(said["command"].get<std::string>(), " --reddening off --flattening off ");
   EXPECT_EQ(said["above"], said["unobserved"]);
   const auto magnitude = [](const json& text) {
     const auto all = text.get<std::string>();
@@ -696,11 +691,11 @@ const Asked sayings(
 
 TEST_F(Explore, PlaceTimeAndAirAreSaidAsTheyAreSeen) {
   const auto said = sayings.answer();
-  EXPECT_NE(said["nairobi"].get<std::string>().find("23:21:45 EAT"), std::string::npos);
+  EXPECT_SAYS(said["nairobi"].get<std::string>(), "23:21:45 EAT");
   EXPECT_EQ(said["up"], "");
   EXPECT_EQ(said["below"], "The Moon is below the horizon there.");
-  EXPECT_NE(said["chicago"].get<std::string>().find("15:21:45 CDT"), std::string::npos);
-  EXPECT_NE(said["unnamed"].get<std::string>().find("17:21:45 UTC−3"), std::string::npos)
+  EXPECT_SAYS(said["chicago"].get<std::string>(), "15:21:45 CDT");
+  EXPECT_SAYS(said["unnamed"].get<std::string>(), "17:21:45 UTC−3")
       << "the zone's abbreviation is -03: " << said["unnamed"];
   EXPECT_FALSE(said["title"].get<bool>()) << "the title lies over no Moon on a wide screen either";
   const auto chicago =
@@ -711,21 +706,20 @@ TEST_F(Explore, PlaceTimeAndAirAreSaidAsTheyAreSeen) {
       "cities' coordinates to 0.01 degrees; the true altitude, for no light comes from there");
   EXPECT_EQ(said["pair"], "Africa/Nairobi");
   EXPECT_TRUE(said["none"].is_null());
-  EXPECT_NE(said["command"].get<std::string>().find(" --at -1.2800,36.8200,1684 --flattening off "),
-            std::string::npos)
+  EXPECT_SAYS(said["command"].get<std::string>(), " --at -1.2800,36.8200,1684 --flattening off ")
       << said["command"];
   EXPECT_EQ(said["later"], said["told"]) << "at the moment that is shown";
   EXPECT_NE(said["later"], said["before"]["readout"]);
   EXPECT_NE(said["dark"]["readout"], said["before"]["readout"]);
   EXPECT_EQ(said["dark"]["seconds"], said["follows"]) << "a darker Moon is seen darker";
-  EXPECT_NE(said["dark"]["command"].get<std::string>().find("--danjon 0"), std::string::npos);
+  EXPECT_SAYS(said["dark"]["command"].get<std::string>(), "--danjon 0");
   EXPECT_GT(said["dark"]["dust"], said["before"]["dust"]) << "the sliders show the air of a step";
   EXPECT_EQ(said["before"]["cloud"], "× 1");
   EXPECT_NE(said["bright"]["cloud"], "× 1");
   EXPECT_EQ(said["bright"]["pressed"], 1);
   EXPECT_EQ(said["bright"]["slid"], 0) << "the air is that of a step no more";
   EXPECT_EQ(said["none_shown"], "none: from that place the Moon is below the horizon");
-  EXPECT_NE(said["link"].get<std::string>().find("|America/Mexico_City|2.2"), std::string::npos)
+  EXPECT_SAYS(said["link"].get<std::string>(), "|America/Mexico_City|2.2")
       << "the elevation: " << said["link"];
 }
 
@@ -734,7 +728,7 @@ TEST_F(Explore, PagesAreOneFileNeedNoNetworkAndFitAPhone) {
   file("a.html", page);
   EXPECT_LT(page.size(), 4e6);
   for (const char* fetched : {"http://", "https://", "src=", "@import", "import("})
-    EXPECT_EQ(page.find(fetched), std::string::npos) << fetched;
+    EXPECT_SAYS_NOT(page, fetched);
   const auto said = in_browser(
       "const frame = () => new Promise(requestAnimationFrame), box = (part) => "
       "part.getBoundingClientRect();\n"
@@ -788,7 +782,7 @@ TEST_F(Explore, PagesAreOneFileNeedNoNetworkAndFitAPhone) {
   EXPECT_EQ(said["covered"], 0) << "all of the slider can be grabbed";
   EXPECT_EQ(said["meeting"], 0) << "the contacts stand beside each other";
   EXPECT_FALSE(said["title"].get<bool>()) << "the title lies over no Moon";
-  EXPECT_NE(said["when"].get<std::string>().find(" HST"), std::string::npos);
+  EXPECT_SAYS(said["when"].get<std::string>(), " HST");
   EXPECT_EQ(said["lines"], json({1, 1})) << "no zone is broken";
   EXPECT_EQ(said["legend"], 10) << "false colours say what they are";
   EXPECT_EQ(said["hidden"], 0);
@@ -803,8 +797,7 @@ TEST_F(Explore, PagesAreOneFileNeedNoNetworkAndFitAPhone) {
   EXPECT_TRUE(said["word"].get<std::string>().starts_with(
       "Total eclipse of the Moon, 2018-07-27, drawn by this page's script. It has not begun"))
       << "under a policy that forbids scripts: " << said["word"];
-  EXPECT_NE(page.find("<noscript><p>Scripts are switched off in this browser.</p></noscript>"),
-            std::string::npos);
+  EXPECT_SAYS(page, "<noscript><p>Scripts are switched off in this browser.</p></noscript>");
 }
 
 using ExploreThoroughly = Explore;
@@ -812,7 +805,7 @@ using ExploreThoroughly = Explore;
 TEST_F(ExploreThoroughly, FragmentsStandBesideEachOther) {
   make("2018-07-27", "--embed --atmosphere clear", "one.html");
   make("2025-03-14", "--embed --atmosphere undated", "other.html");
-  EXPECT_EQ(text_of(here("one.html")).find("<html"), std::string::npos);
+  EXPECT_SAYS_NOT(text_of(here("one.html")), "<html");
   file("a.html", "<body><style>canvas { border: 9px solid red; }</style>" +
                      text_of(here("one.html")) + text_of(here("other.html")));
   const auto said = in_browser(
@@ -842,8 +835,8 @@ TEST_F(Explore, NamesOfFilesBreakNoPage) {
       run(words_of("oiiotool --pattern constant:color=0.2,0.2,0.2 64x32 3 -o {}", map)).status, 0);
   make("2018-07-27", words_of("--albedo-map {} --atmosphere undated", map));
   const auto said = in_browser("return page.facts.options;");
-  EXPECT_NE(said.get<std::string>().find("<!--<script> & "), std::string::npos);
-  EXPECT_EQ(text_of(here("a.html")).find(here().string()), std::string::npos)
+  EXPECT_SAYS(said.get<std::string>(), "<!--<script> & ");
+  EXPECT_SAYS_NOT(text_of(here("a.html")), here().string())
       << "a page for all shows no folder of its maker's";
 }
 
@@ -858,9 +851,7 @@ TEST_F(Explore, ACalendarListsItsPages) {
             (std::set<std::string>{"here/year", "here/year/index.html", "here/year/2025-03-14.html",
                                    "here/year/2025-09-07.html"}));
   const auto index = text_of(here("year/index.html"));
-  EXPECT_NE(index.find("<a href=\"2025-03-14.html\">2025-03-14</a></td><td>06:59</td><td>total"),
-            std::string::npos)
-      << index;
+  EXPECT_SAYS(index, "<a href=\"2025-03-14.html\">2025-03-14</a></td><td>06:59</td><td>total");
   file("year/2025-09-07.html", "<p>my own</p>\n");
   EXPECT_EQ(coppermoon(year).err,
             "coppermoon: year/2025-09-07.html: is not as coppermoon wrote it, and would be "

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A Moon of one grey, fully lit: its luminance and what a camera makes of it are known without any
 // of our code.
-#include <cmath>
-#include <map>
-#include <numbers>
-
 #include "end_to_end/luminance.h"
 #include "support/program.h"
-#include "support/within.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What is made of a whole film, as far as no frame is rendered for it.
-#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "support/program.h"
-#include "support/within.h"
 #include "texture/read_image.h"
 
 namespace coppermoon::end_to_end {
@@ -76,17 +73,15 @@ TEST_F(FilmFiles, CurveIsDrawnWithTheContactsWithinIt) {
   expect_done(coppermoon(film("--curve curve.svg --curve curve.png")));
   const auto svg = text_of(here("curve.svg"));
   for (const char* word : {"<svg", ">U2<", ">hours from greatest eclipse<", ">V magnitude<"})
-    EXPECT_NE(svg.find(word), std::string::npos) << word;
-  for (const char* beyond : {">P1<", ">U3<", ">U4<"})
-    EXPECT_EQ(svg.find(beyond), std::string::npos) << beyond;
+    EXPECT_SAYS(svg, word);
+  for (const char* beyond : {">P1<", ">U3<", ">U4<"}) EXPECT_SAYS_NOT(svg, beyond);
   EXPECT_TRUE(text_of(here("curve.png")).starts_with("\x89PNG"));
 }
 
 TEST_F(FilmFiles, AreToldAsEvents) {
   const auto outcome = coppermoon(film("--json --curve curve.csv"));
   expect_done(outcome);
-  EXPECT_NE(outcome.out.find(R"({"event":"file","file":"curve.csv"})"), std::string::npos)
-      << outcome.out;
+  EXPECT_SAYS(outcome.out, R"({"event":"file","file":"curve.csv"})");
 }
 
 TEST_F(FilmFiles, OfAShardAreRefused) {
@@ -129,7 +124,7 @@ TEST_F(FilmFiles, MayBeMipmappedTexturesOfAFewMoments) {
       << "greatest by NASA's catalogue: 20:21:45";
   EXPECT_EQ(texture::read_attribute(last, "textureformat"), "Plain Texture");
   const auto again = coppermoon(words);
-  EXPECT_NE(again.out.find("0 frames made, 3 kept"), std::string::npos) << again.out;
+  EXPECT_SAYS(again.out, "0 frames made, 3 kept");
   EXPECT_EQ(coppermoon("animate 2018-07-27 --moments U1 --from U1 -o film").err,
             "coppermoon: moments = U1, allowed without --from and --to\n");
   EXPECT_EQ(

@@ -2,10 +2,8 @@
 // A folder holds one film: nothing of another is overwritten or taken for its own.
 #include <sys/stat.h>
 
-#include <algorithm>
-#include <map>
-
 #include "files/lock.h"
+#include "support/testing.h"
 #include "support/program.h"
 #include "texture/image.h"
 #include "texture/read_image.h"
@@ -29,12 +27,7 @@ class FilmFolder : public ProgramTest {
            more;
   }
 
-  std::map<std::string, std::string> files(const char* folder = "film") const {
-    std::map<std::string, std::string> all;
-    for (const auto& entry : fs::directory_iterator(here(folder)))
-      all[entry.path().filename().string()] = text_of(entry.path());
-    return all;
-  }
+  auto files(const char* folder = "film") const { return contents(here(folder)); }
 
   void write_map(float grey) const {
     texture::Image map(16, 8, {"Y"});
@@ -57,9 +50,7 @@ TEST_F(FilmFolder, OfAnotherExposureIsRefusedOrDevelopedAgain) {
   const Surroundings without_povray{.path = "/nowhere"};
   const auto replaced = coppermoon(another + Words{"--replace"}, without_povray);
   expect_done(replaced);
-  EXPECT_NE(replaced.out.find("0 frames made, 2 developed again from kept linear frames, 0 kept"),
-            std::string::npos)
-      << replaced.out;
+  EXPECT_SAYS(replaced.out, "0 frames made, 2 developed again from kept linear frames, 0 kept");
   expect_done(coppermoon(film("--frames 2 --iso 100 --time 2", "fresh")));
   EXPECT_TRUE(files() == files("fresh")) << "what a film made at once is";
 }
@@ -127,14 +118,14 @@ TEST_F(FilmFolder, OfAnotherVersionIsRefused) {
                       {"coppermoon:version", std::string("0.0.1")}});
   const auto outcome = coppermoon(film("--frames 1"));
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_NE(outcome.err.find("version = 0.0.1, asked"), std::string::npos) << outcome.err;
+  EXPECT_SAYS(outcome.err, "version = 0.0.1, asked");
 }
 
 TEST_F(FilmFolder, GoesOnBesideTheMapItReads) {
   for (const char* folder : {"film", "film/", "./film"}) {
     expect_done(coppermoon(film("--frames 1", folder)));
     const auto outcome = coppermoon(film("--frames 1 --json", folder));
-    EXPECT_NE(outcome.out.find("\"made\":0,\"kept\":1"), std::string::npos) << outcome.out;
+    EXPECT_SAYS(outcome.out, "\"made\":0,\"kept\":1");
   }
 }
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A film for a render farm: its job, and the list of what a shard makes. tests/hand_off runs the job by OpenJD's own program.
-#include <algorithm>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "support/program.h"
 
@@ -139,8 +136,8 @@ TEST_F(FilmJob, HoldsWhatARecipeSays) {
         "\"map.png\"\n",
         "- \"--albedo-map={{Param.AlbedoMap}}\"\n", "- \"--atmosphere=undated\"\n",
         "- \"--eclipse=2018-07-27\"\n", "default: 8\n", "default: \".\"\n"})
-    EXPECT_NE(text.find(part), std::string::npos) << part << "of\n" << text;
-  EXPECT_EQ(text.find("film.toml"), std::string::npos) << "the job needs no recipe beside it";
+    EXPECT_SAYS(text, part) << part << "of\n" << text;
+  EXPECT_SAYS_NOT(text, "film.toml") << "the job needs no recipe beside it";
 }
 
 TEST_F(FilmJob, RefusesWhatNoJobCouldSay) {
@@ -160,7 +157,7 @@ TEST_F(FilmJob, HasAllTasksMakeWhatTheLastOneNeeds) {
   const auto last = text.find("  - name: film");
   for (const auto& step : {text.substr(0, last), text.substr(last)})
     for (const char* word : {"\"--make=frames,pictures\"", "\"--start-frame=1001\""})
-      EXPECT_NE(step.find(word), std::string::npos) << word;
+      EXPECT_SAYS(step, word);
 }
 
 TEST_F(FilmJob, ListsWhatAShardMakes) {
@@ -188,7 +185,7 @@ TEST_F(FilmJob, OfAnotherFilmInTheFolderIsRefusedInADryRunToo) {
   const auto before = written();
   const auto outcome = coppermoon(film + "-o film --texture-width 64 --dry-run");
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_NE(outcome.err.find("texture-width = 128, asked 64"), std::string::npos) << outcome.err;
+  EXPECT_SAYS(outcome.err, "texture-width = 128, asked 64");
   EXPECT_EQ(written(), before);
 }
 

@@ -2,12 +2,7 @@
 // What is made of a film's rendered frames.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <tuple>
-
 #include "support/program.h"
-#include "support/within.h"
 #include "texture/contact_sheet.h"
 #include "texture/read_image.h"
 
@@ -35,11 +30,9 @@ class FilmPictures : public ProgramTest {
   /// A folder with a program named ffmpeg that says its version, and else some words, and fails.
   std::string path_of_failing_ffmpeg(const std::string& status = "1") const {
     std::filesystem::create_directory(here("bin"));
-    file("bin/ffmpeg",
-         "#!/bin/sh\n[ \"$1\" = -version ] && exit 0\necho 'out of moonlight' >&2\necho end >&2\n"
-         "exit " +
-             status + "\n");
-    std::filesystem::permissions(here("bin/ffmpeg"), std::filesystem::perms::owner_all);
+    script("bin/ffmpeg",
+           "[ \"$1\" = -version ] && exit 0\necho 'out of moonlight' >&2\necho end >&2\nexit " +
+               status);
     return here("bin").string() + ":/usr/bin:/bin";
   }
 
@@ -116,7 +109,7 @@ TEST_F(FilmPictures, AsAMovieAreAllThereInOrder) {
   EXPECT_EQ(probed.out, "h264,34,26,yuv420p,tv,bt709,iec61966-2-1,bt709,24000/1001,3\n");
   const auto bytes = text_of(here("film.mp4"));
   EXPECT_LT(bytes.find("moov"), bytes.find("mdat")) << "it can be shown while it comes";
-  EXPECT_NE(bytes.find(colour_box(bt709, srgb, bt709)), std::string::npos);
+  EXPECT_SAYS(bytes, colour_box(bt709, srgb, bt709));
 }
 
 TEST_F(FilmPictures, AsAMovieForEditingAreProRes) {
@@ -146,7 +139,7 @@ TEST_F(FilmPictures, AsAMovieAreTaggedAsTheirDisplayIs) {
         run("ffprobe -v error -show_entries stream=color_space,color_transfer,color_primaries -of "
             "csv=p=0 film.mp4");
     EXPECT_EQ(probed.out, stream) << display;
-    EXPECT_NE(text_of(here("film.mp4")).find(box), std::string::npos) << display;
+    EXPECT_SAYS(text_of(here("film.mp4")), box) << display;
   }
 }
 

@@ -50,12 +50,7 @@ class FilmScene : public ProgramTest {
     return texture::read_image(here(folder + "/frame_lin_rec709." + number + ".exr"));
   }
 
-  std::map<std::string, std::string> files() const {
-    std::map<std::string, std::string> all;
-    for (const auto& entry : fs::directory_iterator(here("film")))
-      all[entry.path().filename().string()] = text_of(entry.path());
-    return all;
-  }
+  auto files() const { return contents(here("film")); }
 };
 
 const std::string begins_at = "coppermoon: from moonrise, 17:35 UTC, to P4, 20:55 UTC\n",
@@ -83,7 +78,7 @@ TEST_F(FilmScene, IsRenderedWithTheMoonOfEachFrameGoesOnWhereItWasStoppedAndSays
   const auto bytes = files();
   fs::remove(here("film/frame_lin_rec709.0002.exr"));
   const auto again = film();
-  EXPECT_NE(again.out.find("1 frames made, 1 kept"), std::string::npos) << again.out;
+  EXPECT_SAYS(again.out, "1 frames made, 1 kept");
   EXPECT_EQ(files(), bytes);
   file("my scenes/colour.inc", "#declare Colour = 4;\n");
   const auto changed = film();

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A film as one stage of USD. Its material is run by tests/hand_off.
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <regex>
 
 #include "support/program.h"
-#include "support/within.h"
 #include "texture/read_image.h"
 
 namespace coppermoon::end_to_end {
@@ -60,10 +58,10 @@ TEST_F(FilmStage, StandsAmongTheTexturesWithImagesOfItsOwn) {
   for (const char* file : {"eclipse_shadow.exr", "eclipse_sunlit_first_lin_rec709.exr",
                            "eclipse_sunlit_last_lin_rec709.exr", "moon_lin_rec709.1005.exr"}) {
     EXPECT_TRUE(std::filesystem::exists(here("film") / file)) << file;
-    EXPECT_NE(text.find(std::string("@./") + file + "@"), text.npos) << file;
+    EXPECT_SAYS(text, std::string("@./") + file + "@") << file;
   }
   // importers that read no samples of a file, as Blender's, show the first frame
-  EXPECT_NE(text.find("asset inputs:file = @./moon_lin_rec709.1001.exr@"), std::string::npos);
+  EXPECT_SAYS(text, "asset inputs:file = @./moon_lin_rec709.1001.exr@");
   EXPECT_EQ(number(text, "startTimeCode"), 1001);
   EXPECT_EQ(number(text, "endTimeCode"), 1005);
   EXPECT_EQ(number(text, "timeCodesPerSecond"), 24000. / 1001);
@@ -75,7 +73,7 @@ TEST_F(FilmStage, StandsAmongTheTexturesWithImagesOfItsOwn) {
   // Published contacts (Espenak): U1 18:24:27, U2 19:30:15, U4 22:19:00.
   EXPECT_WITHIN(number(text, "double U2"), 1001 + 4 * 65.8 / 234.55, 0.01,
                 "12 s of 234 minutes in four steps: ours are within 6 s of the published");
-  EXPECT_EQ(text.find("double P1"), text.npos) << "before the film";
+  EXPECT_SAYS_NOT(text, "double P1") << "before the film";
 }
 
 TEST_F(FilmStage, ItsMoonlightIsThatOfBrightness) {

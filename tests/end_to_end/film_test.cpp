@@ -2,12 +2,8 @@
 // The whole eclipse of 2018 July 27, from first contact with the penumbra to the last, as 240 frames.
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
-
 #include "end_to_end/luminance.h"
 #include "support/program.h"
-#include "support/within.h"
 #include "texture/read_image.h"
 
 namespace coppermoon::end_to_end {

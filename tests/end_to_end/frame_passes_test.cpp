@@ -3,13 +3,8 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
-#include <map>
-#include <numbers>
-
+#include "end_to_end/parts_of.h"
 #include "support/program.h"
-#include "support/within.h"
 #include "texture/read_image.h"
 
 namespace coppermoon::end_to_end {
@@ -18,21 +13,6 @@ namespace {
 using texture::Image;
 
 using Parts = std::map<std::string, Image>;
-
-Parts parts_of(const std::filesystem::path& path) {
-  Parts parts;
-  const auto input = OIIO::ImageInput::open(path);
-  EXPECT_TRUE(input) << OIIO::geterror();
-  for (int i = 0; input && input->seek_subimage(i, 0); ++i) {
-    const auto spec = input->spec();
-    Image image(static_cast<std::size_t>(spec.width), static_cast<std::size_t>(spec.height),
-                spec.channelnames);
-    EXPECT_TRUE(
-        input->read_image(i, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.values.data()));
-    parts[spec.get_string_attribute("oiio:subimagename")] = std::move(image);
-  }
-  return parts;
-}
 
 std::string first_part_of(const std::filesystem::path& path) {
   return OIIO::ImageInput::open(path)->spec().get_string_attribute("oiio:subimagename");

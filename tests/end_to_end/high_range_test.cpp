@@ -2,12 +2,8 @@
 // Pictures of high dynamic range, read back by another program.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "colour/exposure.h"
 #include "support/program.h"
-#include "support/within.h"
 #include "texture/read_image.h"
 #include "uses/picture/picture_files.h"
 #include "uses/picture/disc_outline.h"
@@ -79,14 +75,14 @@ TEST_F(HighRange, IsSaidInTheFile) {
   const auto info = run("avifdec --info a.avif").out;
   for (const char* line : {"Bit Depth      : 12", "Color Primaries: 9", "Transfer Char. : 16",
                            "Matrix Coeffs. : 9", "Range          : Full"})
-    EXPECT_NE(info.find(line), std::string::npos) << line << "\n" << info;
+    EXPECT_SAYS(info, line) << line << "\n" << info;
 }
 
 TEST_F(HighRange, HoldsNoRecipeForItsFrameDoes) {
   make();
   expect_done(coppermoon("still f.exr -o again.avif"));
   EXPECT_TRUE(text_of(here("again.avif")) == text_of(here("a.avif")));
-  EXPECT_EQ(text_of(here("a.avif")).find("coppermoon"), std::string::npos);
+  EXPECT_SAYS_NOT(text_of(here("a.avif")), "coppermoon");
   EXPECT_EQ(coppermoon("still a.avif -o no.png").status, 1);
 }
 
@@ -176,27 +172,24 @@ TEST_F(HighRangeFilm, SaysWhatItHolds) {
         fmt::format("max_luminance={:.0f}/10000", 1e4 * std::ceil(brightest)),
         fmt::format("max_content={:.0f}", std::ceil(brightest)),
         fmt::format("max_average={:.0f}", std::ceil(brightest_mean))})
-    EXPECT_NE(said.find(line + "\n"), std::string::npos) << line << "\n" << said;
+    EXPECT_SAYS(said, line + "\n") << line << "\n" << said;
   const std::string as_box_says("colrnclx\0\x09\0\x10\0\x09\0", 15);  // ITU-T H.273
-  EXPECT_NE(text_of(here("a.mp4")).find(as_box_says), std::string::npos);
+  EXPECT_SAYS(text_of(here("a.mp4")), as_box_says);
 
   // pictures of the usual range are what they are without; the film goes on with or without
   const auto picture = text_of(here("film/frame.0001.png"));
   const auto kept = coppermoon(film);
-  EXPECT_NE(kept.out.find("0 frames made, 2 kept"), std::string::npos) << kept.out;
+  EXPECT_SAYS(kept.out, "0 frames made, 2 kept");
   std::filesystem::remove(here("film/frame_hdr.0001.png"));
   const auto other = coppermoon(film);
-  EXPECT_NE(other.out.find("0 frames made, 1 developed again from kept linear frames, 1 kept"),
-            std::string::npos)
-      << other.out;
+  EXPECT_SAYS(other.out, "0 frames made, 1 developed again from kept linear frames, 1 kept");
   EXPECT_EQ(text_of(here("film/frame.0001.png")), picture);
 }
 
 TEST_F(HighRangeFilm, WithoutPicturesOrInAViewThatIsNotIsRefused) {
   EXPECT_EQ(coppermoon(Words("animate 2018-07-27 --make frames --hdr -o film")).err,
             "coppermoon: --hdr is of pictures, allowed with pictures among --make\n");
-  EXPECT_NE(coppermoon(film + "--view Dreamy").err.find("view = Dreamy, allowed"),
-            std::string::npos);
+  EXPECT_SAYS(coppermoon(film + "--view Dreamy").err, "view = Dreamy, allowed");
   EXPECT_EQ(listing(), std::set<std::string>{});
 }
 

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Pictures beside photographs: the hue of what is shown, and that of the light a camera of measured response records.
-#include <algorithm>
-#include <cmath>
 #include <iostream>
-#include <numbers>
 
 #include "colour/srgb.h"
 #include "end_to_end/luminance.h"
 #include "support/program.h"
-#include "support/within.h"
 #include "texture/read_image.h"
 
 namespace coppermoon::end_to_end {

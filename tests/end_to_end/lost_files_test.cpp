@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Command lines by which a file would be lost to another: refused in one line, before any work, and every byte is kept.
-#include <sys/stat.h>
-
 #include <fmt/format.h>
-
-#include <map>
+#include <sys/stat.h>
 
 #include "support/program.h"
 #include "texture/write_image.h"

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A Moon near the horizon is flattened in the frame, towards the zenith; its texture stays as it is.
 #include <glm/geometric.hpp>
-#include <numbers>
 
 #include "almanac/instant.h"
 #include "almanac/observer.h"
 #include "povray_scenes/render.h"
 #include "support/program.h"
-#include "support/within.h"
 #include "texture/read_image.h"
 
 namespace coppermoon::end_to_end {

@@ -2,11 +2,7 @@
 // Photographs that are to become one, and frames that are to become pictures: what they must be.
 #include <OpenImageIO/imageio.h>
 
-#include <algorithm>
-#include <limits>
-
 #include "support/program.h"
-#include "support/within.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Nights of eclipses: 25 of nine JPEGs, the camera's filters and the even weather told, its tone curve and clock unknown; 25
 // as strangers take them, told nothing of the camera. tests/thorough.sh draws every second one.
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "algebra/error.h"
 #include "end_to_end/made_night.h"
 #include "support/chance.h"
 #include "support/program.h"

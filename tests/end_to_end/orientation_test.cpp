@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Places on the Moon must come to stand where an observer sees them, through map, bake, scene,
 // POV-Ray and frame.
-#include <map>
-#include <numbers>
-
 #include "almanac/instant.h"
 #include "almanac/observer.h"
 #include "end_to_end/spotted_moon.h"

@@ -6,7 +6,6 @@
 #include "files/memory.h"
 #include "support/csv_rows.h"
 #include "support/program.h"
-#include "support/within.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 
@@ -53,7 +52,7 @@ TEST_F(Outputs, OfTheShadowGoIntoFilesByTheirEnding) {
   const auto plot = text_of(here("a.svg"));
   for (const char* text : {"2018-07-27 20:21:45 UTC", "406098 km from the Earth", "standard air",
                            "edge of the umbra", "edge of the penumbra", "Moon", "450 nm"})
-    EXPECT_NE(plot.find(text), std::string::npos) << text;
+    EXPECT_SAYS(plot, text);
   expect_refused(shadow + "-o a.xls",
                  "ends in .csv (numbers), .json (numbers), .png (plot), .svg (plot), .pdf (plot)");
 }

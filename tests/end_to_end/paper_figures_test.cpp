@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What examples/paper_figures.sh shows, small: which picture is the brighter, and what saturates.
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "end_to_end/luminance.h"
 #include "end_to_end/sunlit_ground.h"
 #include "support/program.h"
-#include "support/within.h"
 #include "texture/read_image.h"
 
 namespace coppermoon::end_to_end {
@@ -83,13 +79,6 @@ class PaperFigures : public ProgramTest {
     expect_done(coppermoon(words_of("develop {} -o exposed.png --time {} --view {} --bits 16",
                                     name + ".exr", time, view)));
     return texture::read_image(here("exposed.png"));
-  }
-
-  nlohmann::json said(Words words) const {
-    words.push_back("--json");
-    const auto outcome = coppermoon(words);
-    expect_done(outcome);
-    return nlohmann::json::parse(outcome.out, nullptr, false);
   }
 };
 
@@ -273,7 +262,7 @@ const std::array<const char*, 3> forecast{"2010-12-21T07:22:17Z", "2010-12-21T07
                                           "2010-12-21T08:16:56Z"};
 
 TEST_F(PaperFigures, Figure7HasThePhasesThatItsCaptionNames) {
-  const auto eclipse = said("almanac --from 2010-12-20 --to 2010-12-22")[0];
+  const auto eclipse = json_of("almanac --from 2010-12-20 --to 2010-12-22")[0];
   const auto after = [](const nlohmann::json& event, const char* instant) {
     return almanac::seconds_between(almanac::instant_from_utc(event.get<std::string>()),
                                     almanac::instant_from_utc(instant));
@@ -314,7 +303,7 @@ TEST_F(PaperFiguresThoroughly, Figures7bAnd7cAreCopperAllOverAndTheSecondTheDark
     const auto sensor = exposed("moon", time);
     EXPECT_EQ(saturated_share(sensor, scene), 0);
     expect_copper(sensor, scene, 3500);
-    means.push_back(said("brightness moon.exr")["mean_luminance_cd_m2"]);
+    means.push_back(json_of("brightness moon.exr")["mean_luminance_cd_m2"]);
   }
   EXPECT_LT(means[1], means[0]);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The same as of planned_runs_test.cpp, where a region of the air is dusty. tests/thorough.sh draws every second one.
 #include "end_to_end/planned_run.h"
+#include "support/testing.h"
 
 namespace coppermoon::end_to_end {
 namespace {

@@ -2,11 +2,7 @@
 #pragma once
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
 #include <chrono>
-#include <functional>
 
 #include "almanac/instant.h"
 #include "eclipse/contacts.h"
@@ -14,7 +10,7 @@
 #include "end_to_end/random_numbers.h"
 #include "end_to_end/true_luminance.h"
 #include "support/chance.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "uses/light/moonlight.h"
 
 namespace coppermoon::end_to_end {

@@ -2,6 +2,7 @@
 // Random eclipses under random air to a random tolerance: is what was predicted true? Prints what it
 // found as a Markdown table; each bound that was broken with its scene. tests/thorough.sh draws every second run.
 #include "end_to_end/planned_run.h"
+#include "support/testing.h"
 
 namespace coppermoon::end_to_end {
 namespace {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Six scenes that require different work, as examples/plans.sh has them.
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "support/program.h"
@@ -24,11 +23,7 @@ class Plans : public ProgramTest {
   json plan(const Words& words) const {
     static std::map<Words, json> made;
     auto& plan = made[words];
-    if (plan.is_null()) {
-      const auto outcome = coppermoon(Words("plan --json --albedo-map built-in") + words);
-      expect_done(outcome);
-      plan = json::parse(outcome.out);
-    }
+    if (plan.is_null()) plan = json_of(Words("plan --albedo-map built-in") + words);
     return plan;
   }
 };
@@ -76,23 +71,19 @@ TEST_F(Plans, ThatAreNotToBeHadSaySo) {
   EXPECT_FALSE(this->plan({deep[0]}).contains("gave_way"));
   EXPECT_EQ(this->plan({deep[0], "--budget", "1ms"})["gave_way"], "budget");
   const auto text = coppermoon(words_of("plan {} --tolerance 0.01%", deep[0]));
-  EXPECT_NE(text.out.find("not reached tolerance: 0.0"), std::string::npos) << text.out;
+  EXPECT_SAYS(text.out, "not reached tolerance: 0.0");
 }
 
 TEST_F(Plans, OfAToleranceAndAQualityThatSaysAnotherAreRefused) {
-  const auto expect_refused = [&](const Words& flags, const std::string& why) {
-    Words words{"plan", deep[0]};
-    words += flags;
-    const auto outcome = coppermoon(words);
-    EXPECT_EQ(outcome.status, 1);
-    EXPECT_EQ(outcome.err, "coppermoon: " + why + "\n");
+  const auto refused = [&](const Words& flags, const std::string& why) {
+    expect_refusal(Words{"plan", deep[0]} + flags, why);
   };
   const auto both = "tolerance = 0.1%, allowed with quality standard, not draft";
   file("both.toml", "quality = 'draft'\ntolerance = '0.1%'\n");
   file("number.toml", "tolerance = 0.1\n");
-  expect_refused("--tolerance 0.1% --quality draft", both);
-  expect_refused("--recipe both.toml", both);
-  expect_refused("--recipe number.toml", "tolerance = 0.1, allowed a percentage as 0.1%");
+  refused("--tolerance 0.1% --quality draft", both);
+  refused("--recipe both.toml", both);
+  refused("--recipe number.toml", "tolerance = 0.1, allowed a percentage as 0.1%");
 }
 
 TEST_F(Plans, OfAVolcanosAirHaveRegions) {

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A recipe is the flags; a file made is its own recipe.
-#include <algorithm>
-#include <map>
-
 #include "support/program.h"
-#include "support/within.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 #include "uses/picture/lit_scene.h"
@@ -72,12 +68,11 @@ TEST_F(Recipes, OfOneCommandServeAllOthers) {
         Words("scene -o folder"), Words("still -o a.png")}) {
     const auto outcome = coppermoon(words + "--recipe night.toml");
     EXPECT_EQ(outcome.status, 0) << words[0] << ": " << outcome.err;
-    EXPECT_NE(outcome.err.find("U2+10min is 2018-07-27 19:40:"), std::string::npos) << outcome.err;
+    EXPECT_SAYS(outcome.err, "U2+10min is 2018-07-27 19:40:");
   }
   // what no command knows is refused by each
   file("wrong.toml", "instant = 2018-07-27T20:21:45Z\nwidht = 48\n");
-  EXPECT_NE(coppermoon("sky --recipe wrong.toml").err.find("wrong.toml:2: widht"),
-            std::string::npos);
+  EXPECT_SAYS(coppermoon("sky --recipe wrong.toml").err, "wrong.toml:2: widht");
 }
 
 // Files of version 0.1 say "standard" of the air that is called "undated" now.
@@ -123,8 +118,7 @@ TEST_F(Recipes, GiveWayToTheUsersFlags) {
 
 TEST_F(Recipes, GiveWayToTheUsersInstant) {
   make("bake 2008-02-21T03:26:05Z --recipe eclipse.toml -o later.exr");
-  EXPECT_NE(recipe_in("later.exr").find("2008-02-21T03:26:05Z"), std::string::npos)
-      << recipe_in("later.exr");
+  EXPECT_SAYS(recipe_in("later.exr"), "2008-02-21T03:26:05Z") << recipe_in("later.exr");
 }
 
 TEST_F(Recipes, GiveWayToTheUsersLists) {
@@ -137,7 +131,7 @@ TEST_F(Recipes, GiveWayToTheUsersLists) {
       as_told.out.starts_with("axis_distance_km,irradiance_ratio_450nm,standard_error_450nm,"
                               "irradiance_ratio_550nm,standard_error_550nm\n0,"))
       << as_told.out;
-  EXPECT_NE(as_told.out.find("\n1000.5,"), std::string::npos) << as_told.out;
+  EXPECT_SAYS(as_told.out, "\n1000.5,");
   Words own = shadow;
   own += "--wavelengths 650";
   const auto otherwise = coppermoon(own);

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A hundred photographs of eclipses under dust and decks of cloud that the fit is not told.
-#include <optional>
-
-#include "algebra/error.h"
 #include "end_to_end/random_photograph.h"
 #include "support/chance.h"
+#include "support/testing.h"
 #include "uses/fit/compared_night.h"
 #include "uses/fit/lit_bins.h"
 

@@ -73,7 +73,7 @@ TEST_F(Refusals, FewFileDescriptorsDoNotTakeTheTemporaryFolderAway) {
         run({"sh", "-c", "exec 3>&- 4>&-; ulimit -n $0; exec \"$@\"", most, COPPERMOON_PROGRAM,
              "still", eclipsed, "--unshadowed", "--texture-width", "16", "--width", "16",
              "--height", "16", "--albedo-map", "built-in", "-o", "a.png"});
-    EXPECT_EQ(outcome.err.find("No such file"), std::string::npos) << outcome.err;
+    EXPECT_SAYS_NOT(outcome.err, "No such file");
   }
 }
 

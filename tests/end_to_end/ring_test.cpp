@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <OpenImageIO/imageio.h>
-
-#include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <numbers>
 
 #include "almanac/sky.h"
 #include "colour/working_space.h"
 #include "support/program.h"
-#include "support/within.h"
 #include "texture/read_image.h"
 
 namespace coppermoon::end_to_end {

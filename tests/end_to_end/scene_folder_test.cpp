@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A scene is whole: it renders with POV-Ray alone, wherever it is moved.
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "support/program.h"
-#include "support/within.h"
 #include "texture/read_image.h"
 
 namespace coppermoon::end_to_end {
@@ -214,15 +211,11 @@ TEST_F(SceneFolder, OfTheTutorialsLakeRenders) {
   EXPECT_GT(wall, 0.F) << "water mirrors the sky";
 }
 
-TEST_F(SceneFolder, IsWrittenOverAnOldOne) {
+TEST_F(SceneFolder, IsWrittenOverAnOldOneAndMadeAgainFromItsTexture) {
   write_scene();
   const auto before = text_of(here("scene/moon_lin_rec709.exr"));
   write_scene();
   EXPECT_EQ(text_of(here("scene/moon_lin_rec709.exr")), before);
-}
-
-TEST_F(SceneFolder, IsMadeAgainFromItsTexture) {
-  write_scene();
   expect_done(coppermoon("scene scene/moon_lin_rec709.exr -o again"));
   for (const char* file : {"moon_lin_rec709.exr", "eclipse.pov", "eclipse.ini"})
     EXPECT_EQ(text_of(here("again") / file), text_of(here("scene") / file)) << file;

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
 // An eclipse as one strip and a formula: the Moon that `bake` makes, at every moment and in every language.
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <numbers>
-#include <sstream>
 
 #include "almanac/calendar.h"
 #include "almanac/sky.h"
 #include "eclipse/shadow_axis.h"
 #include "end_to_end/eclipse_shader.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::end_to_end {
 namespace {
@@ -252,7 +248,7 @@ TEST_F(Shader, WritesOverNothingOfYours) {
   file("eclipse/eclipse.glsl", "mine");
   const auto outcome = coppermoon(Words{"shader"} + quick + "-o eclipse");
   EXPECT_NE(outcome.status, 0);
-  EXPECT_NE(outcome.err.find("eclipse.glsl"), std::string::npos) << outcome.err;
+  EXPECT_SAYS(outcome.err, "eclipse.glsl");
   EXPECT_EQ(text_of(here("eclipse/eclipse.glsl")), "mine");
 }
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The program starts without OpenImageIO, and loads it from its module when it first needs an image.
-#include <algorithm>
-
 #include "support/program.h"
 
 namespace coppermoon::end_to_end {
@@ -36,8 +34,8 @@ class Start : public ProgramTest {
 
 TEST_F(Start, NeedsNoOpenImageIO) {
   const auto libraries = run({"env", "LD_TRACE_LOADED_OBJECTS=1", COPPERMOON_PROGRAM}).out;
-  EXPECT_NE(libraries.find("libtbb"), libraries.npos) << libraries;
-  EXPECT_EQ(libraries.find("libOpenImageIO"), libraries.npos) << libraries;
+  EXPECT_SAYS(libraries, "libtbb");
+  EXPECT_SAYS_NOT(libraries, "libOpenImageIO");
 }
 
 TEST_F(Start, WhatTouchesNoImageNeedsNoModule) {

@@ -5,6 +5,7 @@
 
 #include "end_to_end/random_photograph.h"
 #include "support/chance.h"
+#include "support/testing.h"
 
 namespace coppermoon::end_to_end {
 namespace {

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Each term's switch does something, in the direction that physics says, and about as much.
-#include <algorithm>
-#include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "support/program.h"
-#include "support/within.h"
 
 namespace coppermoon::end_to_end {
 namespace {
@@ -22,13 +18,12 @@ class Terms : public ProgramTest {
   std::string air = "undated";
 
   Ratios shadow(Words flags) const {
-    const auto outcome =
-        coppermoon(words_of("shadow 2008-02-21T03:26:00Z --json --wavelengths 450,550,600,650,690 "
+    return json_of(words_of("shadow 2008-02-21T03:26:00Z --wavelengths 450,550,600,650,690 "
                             "--axis-distances 0,2300,4400 --atmosphere {} --scattered-light off",
                             air) +
-                   flags);
-    expect_done(outcome);
-    return nlohmann::json::parse(outcome.out).at("irradiance_ratio").get<Ratios>();
+                   flags)
+        .at("irradiance_ratio")
+        .get<Ratios>();
   }
 
   /// log₂ of the light with those flags over the light without: stops by [place][colour].
@@ -68,11 +63,7 @@ TEST_F(Terms, OfTheAirOfAMonthAllTakeLight) {
 
 TEST_F(Terms, BandsOfOxygenAndWaterTakeDeepRedAndLittleOfV) {
   const auto magnitudes = [&](const Words& flags) {
-    Words words = "brightness 2018-01-31T13:29:51Z --json";
-    words += flags;
-    const auto outcome = coppermoon(words);
-    expect_done(outcome);
-    return nlohmann::json::parse(outcome.out).at("magnitudes");
+    return json_of(Words("brightness 2018-01-31T13:29:51Z") + flags).at("magnitudes");
   };
   const auto with = magnitudes({}), without = magnitudes("--oxygen-bands off --water-vapour 0");
   const auto taken = [&](const char* band) {

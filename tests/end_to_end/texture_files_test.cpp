@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/texture.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <regex>
-#include <tuple>
 
 #include "colour/working_space.h"
+#include "end_to_end/parts_of.h"
 #include "support/program.h"
-#include "support/within.h"
 #include "texture/image.h"
 #include "texture/read_image.h"
 
@@ -25,30 +20,9 @@ const Words partial =
     "2018-07-27T19:20:00Z --albedo-map built-in --atmosphere undated --texture-width 256";
 const Words in_the_air_of_a_month = "--atmosphere standard";
 
-/// All parts of an OpenEXR file, by name, as OpenImageIO reads them.
-std::map<std::string, Image> parts_of(const std::filesystem::path& path) {
-  std::map<std::string, Image> parts;
-  const auto input = OIIO::ImageInput::open(path);
-  EXPECT_TRUE(input) << OIIO::geterror();
-  for (int i = 0; input && input->seek_subimage(i, 0); ++i) {
-    const auto spec = input->spec();
-    Image image(static_cast<std::size_t>(spec.width), static_cast<std::size_t>(spec.height),
-                spec.channelnames);
-    EXPECT_TRUE(
-        input->read_image(i, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.values.data()));
-    parts[spec.get_string_attribute("oiio:subimagename")] = std::move(image);
-  }
-  return parts;
-}
-
 class TextureFiles : public ProgramTest {
  protected:
-  void bake(const Words& more) const {
-    Words words{"bake"};
-    words += partial;
-    words += more;
-    expect_done(coppermoon(words));
-  }
+  void bake(const Words& more) const { expect_done(coppermoon(Words{"bake"} + partial + more)); }
 };
 
 TEST_F(TextureFiles, OfOneSimulationHaveTheSpaceThatTheirNamesSay) {
@@ -73,13 +47,12 @@ TEST_F(TextureFiles, OfOneSimulationHaveTheSpaceThatTheirNamesSay) {
 
 TEST_F(TextureFiles, OfUsdAreTheLinearRec709OneWhereThereIsOne) {
   bake("-o moon_acescg.exr -o moon_lin_rec709.exr -o moon.usda");
-  EXPECT_NE(text_of(here("moon.usda")).find("@./moon_lin_rec709.exr@"), std::string::npos);
+  EXPECT_SAYS(text_of(here("moon.usda")), "@./moon_lin_rec709.exr@");
   bake("-o aces_acescg.exr -o aces.usda");
   const auto aces = text_of(here("aces.usda"));
-  EXPECT_NE(aces.find("@./aces_acescg.exr@"), std::string::npos);
-  EXPECT_NE(
-      aces.find("@./aces_lin_rec709.exr@ (\n                    colorSpace = \"lin_rec709_scene\""),
-      std::string::npos)
+  EXPECT_SAYS(aces, "@./aces_acescg.exr@");
+  EXPECT_SAYS(aces,
+              "@./aces_lin_rec709.exr@ (\n                    colorSpace = \"lin_rec709_scene\"")
       << "the preview surface takes it for linear Rec.709";
   EXPECT_TRUE(text_of(here("aces_lin_rec709.exr")) == text_of(here("moon_lin_rec709.exr")));
 }
@@ -111,11 +84,10 @@ TEST_F(TextureFiles, TellOtherProgramsTheirSpace) {
     EXPECT_EQ(spaces_said_of(said("a_" + space + ".tx")), Words{id});
   }
   EXPECT_EQ(spaces_said_of(said("c.png")), Words{}) << "it is developed";
-  EXPECT_NE(said("c.png").find("oiio:ColorSpace: \"sRGB\""), std::string::npos);
-  EXPECT_NE(text_of(here("a.usda"))
-                .find("@./a_acescg.exr@ (\n                    colorSpace = "
-                      "\"lin_ap1_scene\""),
-            std::string::npos);
+  EXPECT_SAYS(said("c.png"), "oiio:ColorSpace: \"sRGB\"");
+  EXPECT_SAYS(text_of(here("a.usda")),
+              "@./a_acescg.exr@ (\n                    colorSpace = "
+              "\"lin_ap1_scene\"");
   expect_done(coppermoon(words_of("ring {} --atmosphere undated -o ring.exr", partial.front())));
   EXPECT_EQ(spaces_said_of(said("ring.exr")), Words{"lin_rec709_scene"});
 }
@@ -124,7 +96,7 @@ TEST_F(TextureFiles, OfUsdComeBesideIt) {
   bake("-o moon.usda");
   EXPECT_EQ(texture::read_attribute(here("moon_lin_rec709.exr"), "coppermoon:colour_space"),
             "lin_rec709");
-  EXPECT_NE(text_of(here("moon.usda")).find("@./moon_lin_rec709.exr@"), std::string::npos);
+  EXPECT_SAYS(text_of(here("moon.usda")), "@./moon_lin_rec709.exr@");
   file("moon_lin_rec709.exr", "theirs");
   EXPECT_EQ(coppermoon(words_of("bake {} -o moon.usda", partial.front())).status, 1);
   EXPECT_EQ(text_of(here("moon_lin_rec709.exr")), "theirs");
@@ -138,7 +110,7 @@ TEST_F(TextureFiles, NameNoFolderOfTheUser) {
     const auto text = text_of(here(name));
     const bool has_recipe = name < "d";
     EXPECT_EQ(text.find("map.png") != std::string::npos, has_recipe) << name;
-    EXPECT_EQ(text.find(here().string()), std::string::npos) << name;
+    EXPECT_SAYS_NOT(text, here().string()) << name;
   }
 }
 
@@ -157,8 +129,8 @@ TEST_F(TextureFiles, OfStellariumStandInItsFolderAndSayWhereItLooks) {
   const auto texture = here("moon.stellarium/textures/moon_4k.jpg");
   const auto before = text_of(texture);
   const auto script = text_of(here("moon.stellarium/scripts/startup.ssc"));
-  EXPECT_NE(script.find("setObserverLocation(18.400000, -33.900000, 0,"), std::string::npos);
-  EXPECT_NE(script.find("setDate(\"2018-07-27T19:20:00\", \"utc\")"), std::string::npos);
+  EXPECT_SAYS(script, "setObserverLocation(18.400000, -33.900000, 0,");
+  EXPECT_SAYS(script, "setDate(\"2018-07-27T19:20:00\", \"utc\")");
   bake("--at -33.9,18.4 --bits 8 -o moon.png");
   const auto shown = texture::read_image(texture), picture = texture::read_image(here("moon.png"));
   EXPECT_TRUE(shown.values == picture.values) << "what is developed otherwise too";

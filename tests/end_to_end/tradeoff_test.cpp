@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "support/csv_rows.h"
 #include "support/program.h"
-#include "support/within.h"
 
 namespace coppermoon::end_to_end {
 namespace {
@@ -50,8 +46,8 @@ TEST_F(TradeoffThoroughly, MeasuresEverySolverAndEveryErrorFallsAsItIsPaidFor) {
             std::set<std::string>({"here/measured", "here/measured/tradeoff.csv",
                                    "here/measured/tradeoff.md", "here/measured/tradeoff.svg"}));
   const auto plot = text_of(here("measured/tradeoff.svg"));
-  EXPECT_NE(plot.find("</svg>"), std::string::npos);
-  EXPECT_EQ(plot.find(" & "), std::string::npos) << "gnuplot leaves it bare, which is no XML";
+  EXPECT_SAYS(plot, "</svg>");
+  EXPECT_SAYS_NOT(plot, " & ") << "gnuplot leaves it bare, which is no XML";
   for (const auto& row : rows)
     for (const auto& [name, cell] : row) {
       if (name == "solver" || name == "varied" || name == "extrapolated" || cell.empty()) continue;
@@ -97,7 +93,7 @@ TEST_F(TradeoffThoroughly, ExtrapolatesWhatWouldTakeTooLong) {
                          (photons[2] - photons[0]) / (photons[1] - photons[0]), 5e-3,
                          "a straight line; differences of what is written to four digits");
   EXPECT_EQ(rows[0].at("extrapolated"), "false");
-  EXPECT_NE(text_of(here("measured/tradeoff.md")).find("| extrapolated |"), std::string::npos);
+  EXPECT_SAYS(text_of(here("measured/tradeoff.md")), "| extrapolated |");
 }
 
 TEST_F(TradeoffThoroughly, LeavesNothingWhereThereIsNoRoom) {
@@ -110,7 +106,7 @@ TEST_F(TradeoffThoroughly, LeavesNothingWhereThereIsNoRoom) {
 TEST_F(TradeoffThoroughly, KeepsTheTablesWhenThePlotCannotBeDrawn) {
   const auto plotless = coppermoon(quickest + "--only quadrature", {.path = "/nowhere"});
   EXPECT_EQ(plotless.status, 1);
-  EXPECT_NE(plotless.err.find("gnuplot"), std::string::npos) << plotless.err;
+  EXPECT_SAYS(plotless.err, "gnuplot");
   EXPECT_EQ(listing(), std::set<std::string>({"here/measured", "here/measured/tradeoff.csv",
                                               "here/measured/tradeoff.md"}));
 }

@@ -29,14 +29,7 @@ class Faults : public ProgramTest {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
-  /// Every file in the folder, and what is in it.
-  std::map<std::string, std::string> files() const {
-    std::map<std::string, std::string> all;
-    for (const auto& entry : fs::recursive_directory_iterator(here()))
-      if (entry.is_regular_file())
-        all[entry.path().lexically_relative(here()).string()] = text_of(entry.path());
-    return all;
-  }
+  auto files() const { return contents(here()); }
 
   /// Whether any process stands in the test's folders.
   bool any_at_work() const {
@@ -112,8 +105,7 @@ class Faults : public ProgramTest {
   /// A program of the folder that goes before the system's.
   Surroundings with_povray(const std::string& script) const {
     fs::create_directory(here("bin"));
-    file("bin/povray", "#!/bin/sh\n" + script);
-    fs::permissions(here("bin/povray"), fs::perms::owner_all);
+    ProgramFolder::script("bin/povray", script);
     return {.path = here("bin").string() + ":" + ::getenv("PATH")};
   }
 

@@ -2,13 +2,11 @@
 // A film that is killed at random moments: what it told of is there, nothing else is, and the next run completes it with
 // the bytes of an undisturbed one.
 #include <fmt/format.h>
-
-#include <algorithm>
 #include <cstdio>
-#include <sstream>
 
 #include "extremes/faults.h"
 #include "extremes/tried.h"
+#include "support/testing.h"
 
 namespace coppermoon::extremes {
 namespace {

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Files and dates from anyone: maps, recipes, instants, photons' sums.
-#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "algebra/error.h"
 #include "almanac/instant.h"
 #include "extremes/untrusted.h"
-#include "support/refusals.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 #include "uses/light/photon_file.h"
@@ -37,8 +34,8 @@ class Maps : public Untrusted {
   void expect_map_refused(const std::string& what, const std::filesystem::path& map,
                           const std::string& part) const {
     const auto line = refusal(map);
-    EXPECT_NE(line.find(part), std::string::npos) << what << ": " << line;
-    EXPECT_EQ(line.find('\n'), std::string::npos) << what << ": " << line;
+    EXPECT_SAYS(line, part) << what << ": " << line;
+    EXPECT_SAYS_NOT(line, '\n') << what << ": " << line;
     refused("albedo map: " + what, line.substr(line.find(": ") + 2));
   }
 

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What may not change when everything is turned, mirrored, reordered, rescaled or split. Cases are
 // drawn at random under one seed, which a failure prints.
-#include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <numbers>
-#include <vector>
 
 #include "algebra/random.h"
 #include "almanac/sky.h"
@@ -18,6 +14,7 @@
 #include "photons/trace.h"
 #include "shadow/by_photons.h"
 #include "shadow/by_quadrature.h"
+#include "support/testing.h"
 #include "texture/globe.h"
 
 namespace coppermoon::extremes {

@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Light in the shadow pushed over every edge: the axis, the distances, darkness, sums of many photons.
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <vector>
-
 #include "algebra/random.h"
 #include "almanac/ephemeris.h"
 #include "atmosphere/presets.h"
@@ -18,6 +11,7 @@
 #include "shadow/lookup.h"
 #include "shadow/photon_spectra.h"
 #include "shadow/twilight.h"
+#include "support/testing.h"
 
 namespace coppermoon::extremes {
 namespace {

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Dates, places, texels and exposures pushed over every edge.
-#include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
-#include <numbers>
-#include <vector>
 
 #include "algebra/random.h"
 #include "almanac/observer.h"
@@ -19,6 +14,7 @@
 #include "colour/point_spread.h"
 #include "eclipse/contacts.h"
 #include "extremes/worst.h"
+#include "support/testing.h"
 #include "surface/albedo_map.h"
 #include "surface/photometry.h"
 #include "texture/bake.h"

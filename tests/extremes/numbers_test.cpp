@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Rays pushed over every edge: where they graze, how they are stepped, what the air is made of.
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
-#include <numbers>
-#include <vector>
 
 #include "atmosphere/presets.h"
 #include "extremes/worst.h"
 #include "photons/bending.h"
 #include "photons/photon.h"
 #include "photons/trace.h"
+#include "support/testing.h"
 
 namespace coppermoon::extremes {
 namespace {

@@ -4,11 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-
 #include "algebra/random.h"
 #include "extremes/tried.h"
 #include "support/program.h"

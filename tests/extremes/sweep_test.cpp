@@ -2,12 +2,7 @@
 // Ten thousand random recipes over all that may be asked for, and a little beyond: every one ends in a valid file or in
 // one clear line. A hundred tests of 100 each.
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <string>
 
 #include "extremes/random_recipe.h"
 #include "extremes/tried.h"

@@ -22,7 +22,7 @@ class Untrusted : public ProgramTest {
     EXPECT_TRUE(outcome.err.starts_with("coppermoon: ")) << what << ": " << outcome.err;
     EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << what << ": " << outcome.err;
     EXPECT_LT(outcome.err.size(), 3000U) << what;
-    EXPECT_NE(outcome.err.find(part), std::string::npos) << what << ": " << outcome.err;
+    EXPECT_SAYS(outcome.err, part) << what << ": " << outcome.err;
     refused(what, outcome.err.substr(0, outcome.err.find('\n')));
   }
 

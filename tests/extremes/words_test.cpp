@@ -3,11 +3,10 @@
 // for an order by a shell, POV-Ray or gnuplot.
 #include <nlohmann/json.hpp>
 
-#include "algebra/error.h"
-
 #include "extremes/untrusted.h"
 #include "povray_scenes/render.h"
 #include "povray_scenes/scene.h"
+#include "support/testing.h"
 #include "support/thorough.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
@@ -70,7 +69,7 @@ TEST_F(Names, OfTexturesAreUsedToTheLetter) {
     const auto outcome = inside(bake({"--albedo-map", "built-in", "--output=" + name + ".exr"}));
     expect_made(name, outcome, before, {name + ".exr"});
     EXPECT_EQ(std::ranges::count(outcome.out, '\n'), 1) << outcome.out;
-    EXPECT_EQ(outcome.out.find('\x1b'), std::string::npos) << outcome.out;
+    EXPECT_SAYS_NOT(outcome.out, '\x1b');
   }
   say("bake -o", "the one file of that name");
 }

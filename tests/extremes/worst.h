@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
-#include <string_view>
-
-#include "algebra/error.h"
 #include "extremes/tried.h"
-#include "support/refusals.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::extremes {
 
@@ -35,8 +30,8 @@ template <class Action>
 void is_refused(std::string_view what, const Action& action) {
   const auto said = refusal_of(action);
   EXPECT_NE(said, "") << what << " is not refused";
-  EXPECT_EQ(said.find('\n'), said.npos) << said;
-  EXPECT_NE(said.find(" to "), said.npos) << "what is allowed? " << said;
+  EXPECT_SAYS_NOT(said, '\n');
+  EXPECT_SAYS(said, " to ") << "what is allowed? " << said;
   refused(what, said);
 }
 

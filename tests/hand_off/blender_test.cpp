@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Blender itself reads what a bake hands it: the light, the place and the colour of each texel come
 // out of a render as they went in.
-#include "hand_off/blender.h"
 #include <fmt/format.h>
 
 #include "end_to_end/spotted_moon.h"
 #include "hand_off/agreement.h"
+#include "hand_off/blender.h"
 #include "hand_off/reference_projection.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::hand_off {
 namespace {
@@ -190,7 +190,7 @@ TEST_F(Blender, PutsEachFramesOwnTextureBeforeItsOwnCamera) {
                                   "print('rate', scene.render.fps, scene.render.fps_base)",
                               {"-o", here("frame.####").string(), "-a"});
   ASSERT_EQ(outcome.status, 0) << outcome.out;
-  EXPECT_NE(outcome.out.find("rate 24 1.001"), std::string::npos) << outcome.out;
+  EXPECT_SAYS(outcome.out, "rate 24 1.001");
   for (std::size_t i = 0; i < instants.size(); ++i) {
     const auto frame = texture::read_image(here(fmt::format("frame.{:04}.exr", i + 7)));
     EXPECT_LT(worst_distance(frame, looks[i]), 0.5) << instants[i];
@@ -207,12 +207,10 @@ TEST_F(Blender, HasOneLineForAWrongFile) {
     return outcome.out;
   };
   file("not.exr", "nothing of the kind");
-  EXPECT_NE(said("not.exr").find("\nError: not.exr: is not an OpenEXR file\n"), std::string::npos);
-  EXPECT_NE(said("none.exr").find("\nError: none.exr: No such file or directory\n"),
-            std::string::npos);
+  EXPECT_SAYS(said("not.exr"), "\nError: not.exr: is not an OpenEXR file\n");
+  EXPECT_SAYS(said("none.exr"), "\nError: none.exr: No such file or directory\n");
   write("bare.exr", uniform({1, 1, 1}), {});
-  EXPECT_NE(said("bare.exr").find("its header has no coppermoon:colour_space\n"),
-            std::string::npos);
+  EXPECT_SAYS(said("bare.exr"), "its header has no coppermoon:colour_space\n");
 }
 
 }  // namespace

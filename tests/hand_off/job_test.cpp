@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A film's job, checked and run by Open Job Description's own program (openjd-cli of PyPI).
-#include <map>
-
 #include "support/program.h"
 
 namespace coppermoon::hand_off {
@@ -21,21 +19,15 @@ class Job : public ProgramTest {
                words);
   }
 
-  std::map<std::string, std::string> files(const std::string& folder) const {
-    std::map<std::string, std::string> all;
-    for (const auto& entry : fs::directory_iterator(here(folder)))
-      all[entry.path().filename().string()] = text_of(entry.path());
-    return all;
-  }
+  auto files(const char* folder) const { return contents(here(folder)); }
 
   /// A program that is killed once it has made a frame.
   std::string dying() const {
-    file("dying", "#!/bin/sh\n" COPPERMOON_PROGRAM
+    return script("dying", COPPERMOON_PROGRAM
                   " \"$@\" &\n"
                   "until ls film/frame.*.png >/dev/null 2>&1; do sleep 0.02; done\n"
-                  "kill -9 $! && wait $!\n");
-    fs::permissions(here("dying"), fs::perms::owner_all);
-    return here("dying").string();
+                  "kill -9 $! && wait $!")
+        .string();
   }
 };
 

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Mitsuba's frame of a scene is POV-Ray's.
-#include <algorithm>
-#include <cmath>
-
 #include "povray_scenes/mitsuba.h"
 #include "povray_scenes/render.h"
 #include "support/program.h"
-#include "support/within.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Moon and stars that are part of the library, against the data of Stellarium's that they were made from.
-#include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
 
-#include "support/within.h"
+#include "support/testing.h"
 #include "surface/albedo_map.h"
 #include "uses/picture/moon.h"
 

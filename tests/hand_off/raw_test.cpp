@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Raw converters, given the sensor's mosaic: LibRaw's own and darktable, whose decoder is another.
-#include <algorithm>
-#include <cmath>
-
 #include "support/program.h"
-#include "support/within.h"
 #include "texture/read_image.h"
 
 namespace coppermoon::hand_off {

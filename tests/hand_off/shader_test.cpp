@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // An eclipse's shader where other programs run it: MaterialX's own generator, and OSL in Cycles.
 #include "end_to_end/eclipse_shader.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::hand_off {
 namespace {

@@ -2,7 +2,6 @@
 // One texture, one camera, three renderers: POV-Ray, Blender, and rays through each pixel. Prints the
 // rows of examples/side_by_side.md; $COPPERMOON_FRAMES is a folder that the frames are left in.
 #include <fmt/format.h>
-
 #include <cstdlib>
 
 #include "hand_off/agreement.h"
@@ -10,7 +9,7 @@
 #include "hand_off/reference_projection.h"
 #include "povray_scenes/render.h"
 #include "povray_scenes/scene.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::hand_off {
 namespace {

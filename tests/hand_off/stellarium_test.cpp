@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Stellarium itself, on a screen that nobody sees: its Moon is the texture, where and how our camera has
 // it, and nothing of its own is added.
-#include <cmath>
-#include <fstream>
-
 #include "end_to_end/spotted_moon.h"
 #include "hand_off/agreement.h"
 #include "hand_off/blender.h"
 #include "hand_off/reference_projection.h"
+#include "support/testing.h"
 
 namespace coppermoon::hand_off {
 namespace {
@@ -61,7 +59,7 @@ class Stellarium : public ProgramTest {
                      "1024x768x24' timeout 300 stellarium --user-dir {} --full-screen no",
                      "HOME=" + here().string(), here("moon.stellarium")));
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_EQ(outcome.err.find("shader program"), std::string::npos) << outcome.err;
+    EXPECT_SAYS_NOT(outcome.err, "shader program");
   }
 
   /// The texture before our own camera, in the numbers of the picture.

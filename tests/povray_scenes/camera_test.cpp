@@ -3,13 +3,10 @@
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <limits>
-#include <numbers>
 
-#include "algebra/error.h"
 #include "atmosphere/astronomical_refraction.h"
 #include "povray_scenes/meridian.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::povray_scenes {
 namespace {

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "povray_scenes/mitsuba.h"
 
-#include <array>
-#include <fstream>
 #include <glm/geometric.hpp>
-#include <numbers>
-#include <sstream>
 
-#include "algebra/error.h"
 #include "povray_scenes/folder.h"
 #include "povray_scenes/meridian.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::povray_scenes {
 namespace {

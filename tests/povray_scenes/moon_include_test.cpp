@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "povray_scenes/moon_include.h"
 
-#include <array>
-#include <cmath>
-#include <fstream>
-#include <numbers>
-
 #include "povray_scenes/folder.h"
 #include "povray_scenes/pictures.h"
 #include "povray_scenes/render.h"
 #include "povray_scenes/scene.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::povray_scenes {
 namespace {
@@ -80,7 +75,7 @@ TEST(MoonInclude, HidesAMoonBelowTheHorizonUnlessEnlargedItReachesAboveIt) {
   moon.view.moon_distance = algebra::metres(384400e3);
   moon.place = {degrees(-1), degrees(0)};
   const std::string hidden = "no_image no_reflection";
-  EXPECT_EQ(moon_include(moon).find(hidden), std::string::npos);
+  EXPECT_SAYS_NOT(moon_include(moon), hidden);
   moon.up = false;
   const auto luminance = [&](double enlarged) {
     const TemporaryFolder folder;

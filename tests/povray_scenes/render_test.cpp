@@ -2,26 +2,17 @@
 #include "povray_scenes/render.h"
 
 #include <OpenImageIO/imagebuf.h>
-
-#include <algorithm>
 #include <chrono>
-#include <cstdint>
-#include <fstream>
 #include <glm/geometric.hpp>
-#include <numbers>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
-#include "algebra/error.h"
 #include "povray_scenes/camera.h"
 #include "povray_scenes/folder.h"
 #include "povray_scenes/meridian.h"
 #include "povray_scenes/pictures.h"
 #include "povray_scenes/scene.h"
 #include "support/left_behind.h"
-#include "support/refusals.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::povray_scenes {
 namespace {
@@ -318,10 +309,9 @@ TEST(Render, ReadsTheCountOfPixelsBetweenOtherWords) {
 TEST(Render, HandsOnTheNumberOfThreads) {
   const SmallScene scene;
   const auto povray = scene.stand_in("echo \"Error: $*\" >&2; exit 1");
-  EXPECT_NE(refusal(scene, {.threads = 3, .povray = povray}).find(" +WT3"), std::string::npos);
-  EXPECT_EQ(refusal(scene, {.threads = 0, .povray = povray}).find(" +WT"), std::string::npos);
-  EXPECT_NE(refusal(scene, {.threads = -1}).find("threads = -1, allowed 0 to 512"),
-            std::string::npos);
+  EXPECT_SAYS(refusal(scene, {.threads = 3, .povray = povray}), " +WT3");
+  EXPECT_SAYS_NOT(refusal(scene, {.threads = 0, .povray = povray}), " +WT");
+  EXPECT_SAYS(refusal(scene, {.threads = -1}), "threads = -1, allowed 0 to 512");
 }
 
 TEST(Render, MakesTheSameBitsOnAnyNumberOfThreads) {
@@ -400,8 +390,8 @@ TEST(Render, PassesOnPovRaysOwnWords) {
   std::filesystem::remove(scene.folder / "moon.exr");
   const auto words = refusal(scene);
   EXPECT_TRUE(words.starts_with("povray: File 'eclipse.pov' line 1")) << words;
-  EXPECT_NE(words.find("Cannot find file 'moon.exr'"), std::string::npos) << words;
-  EXPECT_EQ(words.find('\n'), std::string::npos) << words;
+  EXPECT_SAYS(words, "Cannot find file 'moon.exr'");
+  EXPECT_SAYS_NOT(words, '\n');
   EXPECT_EQ(files_in(scene.folder), 2);
 }
 
@@ -416,7 +406,7 @@ TEST(Render, KeepsTheEarlierFrameWhenItFails) {
 
 TEST(Render, DoesNotTakeSilenceForAFrame) {
   const SmallScene scene;
-  EXPECT_NE(refusal(scene, {.povray = "true"}).find("true: wrote no"), std::string::npos);
+  EXPECT_SAYS(refusal(scene, {.povray = "true"}), "true: wrote no");
 }
 
 TEST(Render, NamesTheSignalThatEndedPovRay) {

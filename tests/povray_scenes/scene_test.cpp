@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "povray_scenes/scene.h"
 
-#include <fstream>
-#include <limits>
-#include <sstream>
-
-#include "algebra/error.h"
 #include "files/own_file.h"
 #include "povray_scenes/folder.h"
 #include "povray_scenes/meridian.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::povray_scenes {
 namespace {

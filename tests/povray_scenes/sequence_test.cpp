@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "povray_scenes/sequence.h"
 
-#include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <future>
-#include <set>
 
-#include "algebra/error.h"
 #include "povray_scenes/folder.h"
 #include "povray_scenes/pictures.h"
 #include "povray_scenes/scene.h"
 #include "support/left_behind.h"
-#include "support/refusals.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::povray_scenes {
 namespace {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "povray_scenes/camera.h"
 
-#include <cmath>
 #include <glm/geometric.hpp>
 
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::povray_scenes {
 namespace {

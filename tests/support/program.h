@@ -3,24 +3,15 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <csignal>
-#include <filesystem>
-#include <fstream>
 #include <iomanip>
-#include <iterator>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <set>
-#include <sstream>
-#include <string>
-#include <vector>
+
+#include "support/testing.h"
 
 namespace coppermoon {
 
@@ -77,7 +68,7 @@ struct Surroundings {
   std::optional<rlim_t> file_limit = {};    ///< bytes that a file may have: the disk is full there
   std::optional<rlim_t> memory_limit = {};  ///< bytes of addresses that it may have
   std::optional<rlim_t> processor_limit = {};  ///< seconds of all its threads, then SIGXCPU ends it
-  unsigned seconds_limit = 600;                ///< of the clock, then SIGALRM ends it
+  unsigned seconds_limit = 0;                  ///< of the clock, then SIGALRM ends it; 0: none
   std::optional<double> killed_after_s = {};   ///< by kill -9, unless it has ended
   std::optional<std::filesystem::path> preloaded = {};  ///< a library that goes before all others
   std::optional<std::filesystem::path> folder = {};  ///< where it runs, instead of the test's own
@@ -244,8 +235,7 @@ class ProgramTest : public testing::Test, protected ProgramFolder {
     EXPECT_EQ(outcome.status, status) << said;
     EXPECT_TRUE(said.starts_with("coppermoon: ")) << said;
     EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
-    for (const auto part : parts)
-      EXPECT_NE(said.find(part), said.npos) << "no \"" << part << "\" in " << said;
+    for (const auto part : parts) EXPECT_SAYS(said, part);
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(listing(), left);
     EXPECT_TRUE(contents(here()) == before);

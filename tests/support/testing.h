@@ -28,3 +28,11 @@
 
 #include "support/refusals.h"
 #include "support/within.h"
+
+/// The text has the part in it, or has not; it is shown where that is otherwise.
+#define EXPECT_SAYS(text, part)                                            \
+  EXPECT_TRUE(std::string_view(text).find(part) != std::string_view::npos) \
+      << "no \"" << (part) << "\" in: " << (text)
+#define EXPECT_SAYS_NOT(text, part)                                        \
+  EXPECT_TRUE(std::string_view(text).find(part) == std::string_view::npos) \
+      << "\"" << (part) << "\" in: " << (text)

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "algebra/chebyshev.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
-
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::algebra {
 namespace {

@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "algebra/error.h"
-#include "support/refusals.h"
-
-#include <gtest/gtest.h>
-
-#include <limits>
+#include "support/testing.h"
 
 namespace coppermoon::algebra {
 namespace {

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "algebra/grid.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <vector>
+#include "support/testing.h"
 
 namespace coppermoon::algebra {
 namespace {

@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "algebra/interpolation.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <tuple>
-#include <utility>
-#include <vector>
-
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::algebra {
 namespace {

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "algebra/low_discrepancy.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
-#include "algebra/error.h"
 #include "baker/algebra/chi_squared.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::algebra {
 namespace {

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "algebra/number.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <vector>
+#include "support/testing.h"
 
 namespace coppermoon::algebra {
 namespace {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "algebra/quantity.h"
 
-#include <gtest/gtest.h>
-
-#include <numbers>
 #include <type_traits>
 
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::algebra {
 namespace {

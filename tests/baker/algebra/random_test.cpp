@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "algebra/random.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-
 #include "baker/algebra/chi_squared.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::algebra {
 namespace {

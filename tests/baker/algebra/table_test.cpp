@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "algebra/table.h"
 
-#include <gtest/gtest.h>
-
-#include <string>
-
-#include "algebra/error.h"
-#include "support/refusals.h"
+#include "support/testing.h"
 
 namespace coppermoon::algebra {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "almanac/calendar.h"
 
-#include <gtest/gtest.h>
+#include "support/testing.h"
 
 namespace coppermoon::almanac {
 namespace {

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "almanac/ephemeris.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <numbers>
 
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::almanac {
 namespace {

@@ -2,16 +2,9 @@
 #include "almanac/gazetteer.h"
 
 #include <unistd.h>
-
-#include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <set>
-#include <sstream>
-#include <string>
 
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::almanac {
 namespace {

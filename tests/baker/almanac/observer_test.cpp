@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "almanac/observer.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <glm/geometric.hpp>
 
-#include "algebra/error.h"
 #include "baker/almanac/published_rows.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::almanac {
 namespace {

@@ -2,17 +2,12 @@
 #include "almanac/planets.h"
 
 #include <erfa.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 #include "almanac/ephemeris.h"
 #include "almanac/observer.h"
 #include "almanac/sky.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::almanac {
 namespace {

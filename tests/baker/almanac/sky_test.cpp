@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "almanac/sky.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "almanac/lunar_orientation.h"
 #include "baker/almanac/published_rows.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::almanac {
 namespace {

@@ -3,16 +3,11 @@
 
 #include <erfa.h>
 #include <erfam.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 #include "almanac/ephemeris.h"
 #include "almanac/sky.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::almanac {
 namespace {

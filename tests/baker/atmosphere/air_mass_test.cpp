@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "atmosphere/air_mass.h"
 
-#include "algebra/error.h"
 #include "atmosphere/astronomical_refraction.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::atmosphere {
 namespace {

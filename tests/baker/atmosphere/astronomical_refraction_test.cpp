@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "atmosphere/astronomical_refraction.h"
 
-#include "algebra/error.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::atmosphere {
 namespace {

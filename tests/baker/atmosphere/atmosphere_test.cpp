@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "atmosphere/atmosphere.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-
-#include "algebra/error.h"
 #include "algebra/quadrature.h"
 #include "atmosphere/density.h"
 #include "atmosphere/ozone.h"
 #include "atmosphere/rayleigh.h"
-#include "support/refusals.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::atmosphere {
 namespace {

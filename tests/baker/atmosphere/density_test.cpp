@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "atmosphere/density.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "baker/atmosphere/published_table.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::atmosphere {
 namespace {

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "atmosphere/eye_contrast.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
-
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::atmosphere {
 namespace {

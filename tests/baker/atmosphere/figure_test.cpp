@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "atmosphere/figure.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::atmosphere {
 namespace {

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "atmosphere/gases.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-
-#include "algebra/error.h"
 #include "atmosphere/density.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::atmosphere {
 namespace {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "atmosphere/observer_air.h"
 
-#include "algebra/error.h"
 #include "atmosphere/air_mass.h"
 #include "atmosphere/ozone.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::atmosphere {
 namespace {

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "atmosphere/ozone.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <utility>
-
-#include "algebra/error.h"
 #include "baker/atmosphere/published_table.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::atmosphere {
 namespace {

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "atmosphere/presets.h"
 
-#include <gtest/gtest.h>
-
-#include <string>
-
-#include "algebra/error.h"
-#include "support/refusals.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::atmosphere {
 namespace {

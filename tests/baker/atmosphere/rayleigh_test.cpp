@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "atmosphere/rayleigh.h"
 
-#include <gtest/gtest.h>
-
-#include "algebra/error.h"
 #include "atmosphere/refractivity.h"
 #include "baker/atmosphere/published_table.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::atmosphere {
 namespace {

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "atmosphere/refractivity.h"
 
-#include <gtest/gtest.h>
-
-#include <limits>
-
-#include "algebra/error.h"
 #include "baker/atmosphere/published_table.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::atmosphere {
 namespace {

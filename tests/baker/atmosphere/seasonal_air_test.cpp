@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "atmosphere/seasonal_air.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-
-#include "algebra/error.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::atmosphere {
 namespace {

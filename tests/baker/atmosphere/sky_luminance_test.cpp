@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "atmosphere/sky_luminance.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <utility>
-
-#include "algebra/error.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::atmosphere {
 namespace {

@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "atmosphere/stratosphere.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <string>
-#include <vector>
-
-#include "algebra/error.h"
 #include "baker/atmosphere/published_table.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::atmosphere {
 namespace {

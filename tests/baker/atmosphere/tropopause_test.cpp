@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "atmosphere/tropopause.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-#include "algebra/error.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::atmosphere {
 namespace {

@@ -1,18 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "atmosphere/twilight_sky.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <utility>
-#include <vector>
-
-#include "algebra/error.h"
 #include "atmosphere/sky_luminance.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::atmosphere {
 namespace {

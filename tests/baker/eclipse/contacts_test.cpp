@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "eclipse/contacts.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
 
-#include "algebra/error.h"
 #include "baker/almanac/published_rows.h"
 #include "eclipse/lunation.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::eclipse {
 namespace {

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "eclipse/feature.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "algebra/error.h"
 #include "baker/almanac/published_rows.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::eclipse {
 namespace {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "eclipse/shadow_axis.h"
 
-#include <gtest/gtest.h>
-
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "almanac/instant.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::eclipse {
 namespace {

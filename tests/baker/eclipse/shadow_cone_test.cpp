@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "eclipse/shadow_cone.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "atmosphere/figure.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::eclipse {
 namespace {

@@ -5,13 +5,13 @@
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
 #include <atomic>
 #include <cstdlib>
 #include <thread>
 
 #include "baker/texture/scratch_folder.h"
 #include "files/lock.h"
+#include "support/testing.h"
 
 namespace {
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "files/endings.h"
 
-#include <array>
-
 #include "baker/texture/scratch_folder.h"
+#include "support/testing.h"
 
 namespace {
 

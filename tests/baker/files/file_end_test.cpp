@@ -2,6 +2,8 @@
 #include "files/file_end.h"
 
 #include "baker/texture/scratch_folder.h"
+#include "files/child_process.h"
+#include "support/testing.h"
 
 namespace {
 

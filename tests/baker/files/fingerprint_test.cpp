@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "files/fingerprint.h"
 
-#include <gtest/gtest.h>
+#include "support/testing.h"
 
 namespace coppermoon::files {
 namespace {

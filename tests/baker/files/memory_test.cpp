@@ -2,6 +2,7 @@
 #include "files/memory.h"
 
 #include "baker/texture/scratch_folder.h"
+#include "support/testing.h"
 
 namespace {
 

@@ -3,6 +3,7 @@
 
 #include "baker/texture/scratch_folder.h"
 #include "files/whole_file.h"
+#include "support/testing.h"
 
 namespace {
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "files/temporary_folder.h"
 
-#include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
 #include <chrono>
-#include <string>
 #include <thread>
+
+#include "support/testing.h"
 
 namespace coppermoon::files {
 namespace {

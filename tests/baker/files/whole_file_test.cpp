@@ -7,18 +7,13 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdarg>
-#include <cstddef>
-#include <filesystem>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include "baker/texture/scratch_folder.h"
+#include "support/testing.h"
 
 namespace {
 

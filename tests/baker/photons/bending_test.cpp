@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "photons/bending.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <numbers>
-
-#include "algebra/error.h"
 #include "atmosphere/density.h"
 #include "atmosphere/ozone.h"
 #include "atmosphere/presets.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::photons {
 namespace {

@@ -1,18 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "photons/limb_darkening.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
-
-#include "algebra/error.h"
 #include "algebra/quadrature.h"
 #include "baker/atmosphere/published_table.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::photons {
 namespace {

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "photons/limb_table.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::photons {
 namespace {

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "photons/limb.h"
 
-#include <gtest/gtest.h>
-
-#include <numbers>
-
 #include "atmosphere/presets.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::photons {
 namespace {

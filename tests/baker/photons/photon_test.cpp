@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "photons/photon.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 #include "baker/algebra/chi_squared.h"
 #include "photons/solar_disc.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::photons {
 namespace {

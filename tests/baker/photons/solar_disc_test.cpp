@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "photons/solar_disc.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
-
-#include "algebra/error.h"
 #include "algebra/interpolation.h"
 #include "baker/algebra/chi_squared.h"
 #include "baker/atmosphere/published_table.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::photons {
 namespace {

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "photons/trace.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
-#include <numbers>
 
-#include "algebra/error.h"
 #include "photons/bending.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::photons {
 namespace {

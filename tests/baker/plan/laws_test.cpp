@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "plan/laws.h"
 
-#include <limits>
-#include <vector>
-
 #include "plan/plan.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::plan {
 namespace {

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "request/parameter.h"
-#include "support/refusals.h"
-
-#include <gtest/gtest.h>
-
-#include <optional>
+#include "support/testing.h"
 
 namespace coppermoon::request {
 namespace {

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Every way to the same light agrees with a fine quadrature within its stated error; and this would
 // be seen to fail had a wavelength, a region or the dust been lost on the way.
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <map>
-#include <numeric>
 #include <ostream>
 
 #include "atmosphere/presets.h"
 #include "shadow/by_photons.h"
 #include "shadow/by_quadrature.h"
 #include "shadow/lookup.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::shadow {
 namespace {

@@ -3,14 +3,10 @@
 
 #include <tbb/global_control.h>
 
-#include <cmath>
-#include <numbers>
-
-#include "algebra/error.h"
 #include "atmosphere/presets.h"
 #include "baker/algebra/chi_squared.h"
 #include "baker/shadow/ring_means.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::shadow {
 namespace {

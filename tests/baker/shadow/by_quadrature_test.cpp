@@ -3,17 +3,11 @@
 
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-
-#include "algebra/error.h"
 #include "atmosphere/presets.h"
 #include "baker/shadow/airs_in_belts.h"
 #include "photons/bending.h"
 #include "photons/limb_darkening.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::shadow {
 namespace {

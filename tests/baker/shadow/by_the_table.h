@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <vector>
-
 #include "baker/shadow/ring_means.h"
 #include "shadow/by_photons.h"
 #include "shadow/limb_landings.h"
+#include "support/testing.h"
 
 namespace coppermoon::shadow {
 

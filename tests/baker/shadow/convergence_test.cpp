@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-
 #include "baker/shadow/ring_means.h"
 #include "shadow/by_photons.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::shadow {
 namespace {

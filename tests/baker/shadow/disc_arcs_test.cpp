@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/disc_arcs.h"
 
-#include <cmath>
-#include <numbers>
-#include <vector>
-
 #include "shadow/irradiance.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::shadow {
 namespace {

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/irradiance.h"
 
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <numbers>
 
-#include "algebra/error.h"
 #include "photons/solar_disc.h"
 #include "shadow/by_quadrature.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::shadow {
 namespace {

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/landed_light.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <vector>
-
 #include "shadow/irradiance.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::shadow {
 namespace {

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/landed_rows.h"
 
-#include <cmath>
-#include <vector>
-
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::shadow {
 namespace {

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Photons by the table of the limb: their means, their errors, their variance against plain photons.
-#include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <optional>
 
 #include "baker/shadow/by_the_table.h"
 #include "photons/photon.h"
 #include "shadow/limb_landings.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::shadow {
 namespace {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/limb_landings.h"
 
-#include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "baker/shadow/by_the_table.h"
 #include "photons/photon.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::shadow {
 namespace {

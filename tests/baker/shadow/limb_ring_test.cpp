@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/limb_ring.h"
 
-#include <cmath>
-#include <numbers>
-
-#include "algebra/error.h"
 #include "atmosphere/presets.h"
 #include "photons/bending.h"
 #include "photons/limb_darkening.h"
 #include "photons/solar_disc.h"
 #include "shadow/by_quadrature.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::shadow {
 namespace {

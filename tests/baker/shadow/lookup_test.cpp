@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/lookup.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <numbers>
-
 #include "algebra/interpolation.h"
 #include "shadow/by_quadrature.h"
 #include "shadow/lookup_table.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::shadow {
 namespace {

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/photon_spectra.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "algebra/random.h"
 #include "support/every_target.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::shadow {
 namespace {

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/photon_sums.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <numbers>
-
-#include "algebra/error.h"
 #include "algebra/interpolation.h"
 #include "algebra/quadrature.h"
 #include "algebra/random.h"
 #include "shadow/by_photons.h"
 #include "shadow/lookup.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::shadow {
 namespace {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Light of photons read between the middles of their rings, against the quadrature.
-#include <cmath>
-
 #include "algebra/interpolation.h"
 #include "shadow/by_photons.h"
 #include "shadow/by_quadrature.h"
 #include "shadow/lookup.h"
 #include "shadow/photon_sums.h"
+#include "support/testing.h"
 
 namespace coppermoon::shadow {
 namespace {

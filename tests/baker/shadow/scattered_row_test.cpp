@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/scattered_row.h"
 
-#include <cmath>
-#include <vector>
-
 #include "algebra/random.h"
 #include "shadow/padding.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::shadow {
 namespace {

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/sectors.h"
 
-#include <gtest/gtest.h>
-
-#include <numbers>
-
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::shadow {
 namespace {

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/twilight.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <numbers>
 
-#include "algebra/error.h"
 #include "atmosphere/presets.h"
 #include "baker/shadow/airs_in_belts.h"
 #include "photons/bending.h"
 #include "shadow/by_quadrature.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::shadow {
 namespace {

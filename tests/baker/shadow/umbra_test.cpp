@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The shadow of the named atmospheres against what is published of the Earth's.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "atmosphere/presets.h"
 #include "colour/cie_observer.h"
 #include "colour/working_space.h"
 #include "photons/solar_disc.h"
 #include "shadow/by_quadrature.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::shadow {
 namespace {

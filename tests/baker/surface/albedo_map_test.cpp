@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "surface/albedo_map.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "algebra/error.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "surface/photometry.h"
 
 namespace {

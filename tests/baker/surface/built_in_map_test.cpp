@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "surface/built_in_map.h"
 
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <iterator>
-#include <numeric>
-#include <string>
-#include <vector>
-
 #include "algebra/table.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "surface/albedo_map.h"
 
 namespace {

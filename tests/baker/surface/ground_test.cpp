@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "surface/ground.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "algebra/error.h"
 #include "baker/surface/small_moon.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "surface/albedo_map.h"
 
 namespace {

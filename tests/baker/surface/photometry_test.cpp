@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "surface/photometry.h"
 
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <iterator>
-#include <numbers>
-#include <string>
-
 #include "algebra/random.h"
 #include "algebra/table.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace {
 

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "surface/reflectance.h"
 
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <iterator>
-#include <string>
-
-#include "algebra/error.h"
 #include "algebra/table.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace {
 

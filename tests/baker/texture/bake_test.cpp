@@ -2,19 +2,12 @@
 #include "texture/bake.h"
 
 #include <tbb/global_control.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <numbers>
-#include <numeric>
 
-#include "algebra/error.h"
 #include "eclipse/shadow_axis.h"
 #include "shadow/by_quadrature.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "surface/albedo_map.h"
 #include "surface/ground.h"
 #include "surface/photometry.h"

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "texture/contact_sheet.h"
 
-#include <algorithm>
-
-#include "algebra/error.h"
 #include "baker/texture/scratch_folder.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "texture/write_image.h"
 
 namespace {

@@ -4,17 +4,11 @@
 #include <OpenImageIO/imageio.h>
 #include <lcms2.h>
 #include <tiffio.h>
-
-#include <array>
-#include <cmath>
-#include <cstdint>
 #include <cstring>
-#include <functional>
-#include <utility>
 
 #include "baker/texture/fits_bytes.h"
 #include "baker/texture/scratch_folder.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "texture/read_image.h"
 
 namespace {

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Raw files as DNG has them: what is put under the mosaic comes back, read by LibRaw.
 #include <tiffio.h>
-
-#include <array>
-#include <cmath>
 #include <glm/matrix.hpp>
 #include <memory>
 
-#include "algebra/error.h"
 #include "baker/texture/scratch_folder.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "texture/read_image.h"
 #include "texture/write_dng.h"
 #include "texture/write_image.h"

@@ -3,13 +3,10 @@
 
 #include <OpenImageIO/imageio.h>
 #include <unistd.h>
-
-#include <cmath>
 #include <cstring>
-#include <limits>
 
 #include "baker/texture/scratch_folder.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "texture/write_image.h"
 
 namespace {

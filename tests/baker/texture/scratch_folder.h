@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
-#include <string_view>
-
-#include "algebra/error.h"
-#include "support/refusals.h"
+#include "support/testing.h"
 
 /// An empty folder of its own for each test, gone afterwards.
 class ScratchFolder : public testing::Test {
@@ -47,6 +39,6 @@ inline std::string bytes_of(const std::filesystem::path& path) {
 #define EXPECT_ERROR(action, part)                                    \
   do {                                                                \
     const std::string text = coppermoon::refusal_of([&] { action; }); \
-    EXPECT_NE(text.find(part), std::string::npos) << "got: " << text; \
-    EXPECT_EQ(text.find('\n'), std::string::npos) << "got: " << text; \
+    EXPECT_SAYS(text, part) << "got: " << text;                       \
+    EXPECT_SAYS_NOT(text, '\n') << "got: " << text;                   \
   } while (false)

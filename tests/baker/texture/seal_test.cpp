@@ -2,6 +2,7 @@
 #include "texture/seal.h"
 
 #include "baker/texture/scratch_folder.h"
+#include "support/testing.h"
 #include "texture/openimageio/encode.h"
 #include "texture/write_image.h"
 

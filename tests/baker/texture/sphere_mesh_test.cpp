@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "texture/sphere_mesh.h"
 
-#include <algorithm>
 #include <glm/geometric.hpp>
-#include <map>
-#include <numbers>
-#include <utility>
 
 #include "baker/texture/scratch_folder.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace {
 

@@ -2,16 +2,12 @@
 #include "texture/write_glb.h"
 
 #include <sys/resource.h>
-
-#include <cmath>
 #include <csignal>
-#include <cstdint>
 #include <cstring>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "baker/texture/scratch_folder.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "texture/read_image.h"
 
 namespace {

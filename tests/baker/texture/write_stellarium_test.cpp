@@ -2,6 +2,7 @@
 #include "texture/write_stellarium.h"
 
 #include "baker/texture/scratch_folder.h"
+#include "support/testing.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 
@@ -39,9 +40,8 @@ TEST_F(WriteStellarium, PutsPictureShaderAndScriptWhereItLooksForThem) {
   const auto script = bytes_of(folder / "scripts/startup.ssc");
   for (const auto* part : {"core.setObserverLocation(36.820000, -1.280000, 1684, 0,",
                            "core.setDate(\"2018-07-27T20:21:45\", \"utc\");"})
-    EXPECT_NE(script.find(part), std::string::npos) << part;
-  EXPECT_NE(bytes_of(folder / "data/shaders/planet.frag").find("#ifdef IS_MOON"),
-            std::string::npos);
+    EXPECT_SAYS(script, part);
+  EXPECT_SAYS(bytes_of(folder / "data/shaders/planet.frag"), "#ifdef IS_MOON");
 }
 
 TEST_F(WriteStellarium, OverwritesItsOwnFilesAlone) {

@@ -2,6 +2,7 @@
 #include "texture/write_usda.h"
 
 #include "baker/texture/scratch_folder.h"
+#include "support/testing.h"
 
 namespace {
 

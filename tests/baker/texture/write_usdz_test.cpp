@@ -2,12 +2,10 @@
 #include "texture/write_usdz.h"
 
 #include <zlib.h>
-
-#include <cstdint>
 #include <cstring>
 
 #include "baker/texture/scratch_folder.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "texture/read_image.h"
 
 namespace {
@@ -96,7 +94,7 @@ TEST_F(WriteUsdz, ShinesByThePictureInSrgb) {
         "token inputs:sourceColorSpace = \"sRGB\"", "color3f inputs:diffuseColor = (0, 0, 0)",
         "rel material:binding = </Moon/Looks/Moonlight>",
         "color3f inputs:emissiveColor.connect = </Moon/Looks/Moonlight/Texture.outputs:rgb>"})
-    EXPECT_NE(layer.find(line), std::string::npos) << line;
+    EXPECT_SAYS(layer, line);
 }
 
 TEST_F(WriteUsdz, TheSameInputGivesTheSameBytes) {

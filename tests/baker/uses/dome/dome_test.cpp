@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "uses/dome/dome.h"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <numbers>
-
-#include "algebra/error.h"
 #include "almanac/instant.h"
 #include "almanac/planets.h"
 #include "atmosphere/astronomical_refraction.h"
 #include "atmosphere/sky_luminance.h"
 #include "colour/working_space.h"
 #include "result/as_json.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "uses/picture/brightness.h"
 #include "uses/picture/clear_sky.h"
 

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "uses/explore/limb_rays.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "almanac/sky.h"
 #include "baker/uses/explore/page_data.h"
 #include "photons/bending.h"
 #include "photons/limb.h"
 #include "shadow/twilight.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "uses/light/air.h"
 
 namespace coppermoon::uses {

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "uses/explore/motion.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <glm/matrix.hpp>
 
 #include "almanac/observer.h"
 #include "almanac/sky.h"
 #include "eclipse/shadow_axis.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "uses/explore/page_arrays.h"
 
-#include <gtest/gtest.h>
-
-#include <limits>
-
-#include "algebra/error.h"
 #include "baker/uses/explore/page_data.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

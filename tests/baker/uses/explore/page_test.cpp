@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
-
+#include "support/testing.h"
 #include "uses/explore/exploration.h"
 
 namespace coppermoon::uses {
@@ -12,10 +11,8 @@ TEST(CalendarPage, RoundsTimesToTheMinute) {
     eclipse.greatest = almanac::instant_from_utc(greatest);
     return calendar_page({eclipse}, {"a.html"});
   };
-  EXPECT_NE(page_of("2018-07-27T20:21:45Z").find(">2018-07-27</a></td><td>20:22</td>"),
-            std::string::npos);
-  EXPECT_NE(page_of("2018-12-31T23:59:45Z").find(">2019-01-01</a></td><td>00:00</td>"),
-            std::string::npos);
+  EXPECT_SAYS(page_of("2018-07-27T20:21:45Z"), ">2018-07-27</a></td><td>20:22</td>");
+  EXPECT_SAYS(page_of("2018-12-31T23:59:45Z"), ">2019-01-01</a></td><td>00:00</td>");
 }
 
 }  // namespace

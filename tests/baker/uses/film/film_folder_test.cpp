@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "uses/film/film_folder.h"
-#include "support/refusals.h"
-
 #include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
-#include <string>
-
-#include "algebra/error.h"
 #include "files/own_file.h"
+#include "support/testing.h"
 #include "texture/write_image.h"
+#include "uses/film/film_folder.h"
 
 namespace coppermoon::uses {
 namespace {

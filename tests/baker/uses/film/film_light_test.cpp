@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "uses/film/film_light.h"
-#include "support/refusals.h"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <filesystem>
-
-#include "algebra/error.h"
 #include "almanac/instant.h"
 #include "almanac/sky.h"
 #include "eclipse/shadow_axis.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "uses/light/spectral_bands.h"
 
 namespace coppermoon::uses {

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "uses/film/film_scene.h"
-#include "support/refusals.h"
-
-#include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <fstream>
-
-#include "algebra/error.h"
+#include "support/testing.h"
+#include "uses/film/film_scene.h"
 
 namespace coppermoon::uses {
 namespace {

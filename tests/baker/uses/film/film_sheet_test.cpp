@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "uses/film/film_sheet.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numeric>
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

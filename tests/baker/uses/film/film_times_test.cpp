@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "uses/film/film_times.h"
-#include "support/refusals.h"
-
-#include <string>
-
-#include "algebra/error.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "uses/film/film_setup.h"
 
-#include <cmath>
-
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

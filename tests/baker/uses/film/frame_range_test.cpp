@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "uses/film/film_times.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
-#include "algebra/error.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

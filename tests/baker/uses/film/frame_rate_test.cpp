@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "support/refusals.h"
-#include "uses/film/film_times.h"
-
-#include <gtest/gtest.h>
-
 #include "algebra/error.h"
+#include "support/testing.h"
+#include "uses/film/film_times.h"
 
 namespace coppermoon::uses {
 namespace {

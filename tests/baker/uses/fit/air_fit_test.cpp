@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "uses/fit/air_fit.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <optional>
-
 #include "almanac/instant.h"
 #include "colour/working_space.h"
 #include "eclipse/shadow_axis.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "uses/light/spectral_bands.h"
 
 namespace coppermoon::uses {

@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "uses/fit/clock_scan.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <vector>
-
-#include "support/within.h"
+#include "support/testing.h"
 #include "texture/image.h"
 
 namespace coppermoon::uses {

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "uses/fit/fitted_light.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "almanac/instant.h"
 #include "colour/working_space.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "uses/fit/lit_bins.h"
+#include "uses/fit/scene.h"
 #include "uses/light/spectral_bands.h"
 
 namespace coppermoon::uses {

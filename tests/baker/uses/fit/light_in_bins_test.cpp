@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "uses/fit/light_in_bins.h"
 
-#include <array>
-#include <cmath>
-#include <numbers>
-
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

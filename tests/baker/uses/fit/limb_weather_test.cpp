@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "uses/fit/limb_weather.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <numeric>
-
 #include "atmosphere/presets.h"
 #include "shadow/by_quadrature.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "uses/fit/measured_light.h"
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
 #include "support/csv_rows.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

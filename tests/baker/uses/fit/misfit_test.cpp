@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "uses/fit/misfit.h"
 
-#include <gtest/gtest.h>
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

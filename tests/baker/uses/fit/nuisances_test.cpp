@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "uses/fit/nuisances.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

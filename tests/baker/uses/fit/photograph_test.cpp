@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "uses/fit/photograph.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "almanac/instant.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

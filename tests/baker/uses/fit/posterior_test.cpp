@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "uses/fit/posterior.h"
 
-#include <gtest/gtest.h>
-
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

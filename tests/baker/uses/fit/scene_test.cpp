@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "uses/fit/scene.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <vector>
-
 #include "almanac/instant.h"
 #include "support/luther_camera.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "uses/fit/lit_bins.h"
 
 namespace coppermoon::uses {

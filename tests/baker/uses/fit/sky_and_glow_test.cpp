@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "uses/fit/sky_and_glow.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
-
 #include "algebra/random.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "uses/fit/unknowns.h"
 
-#include <gtest/gtest.h>
-
-#include "support/within.h"
+#include "support/testing.h"
 #include "uses/light/light_parameters.h"
 
 namespace coppermoon::uses {

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "uses/light/air.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-
-#include "algebra/error.h"
 #include "almanac/instant.h"
 #include "almanac/sky.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "uses/light/danjon_air.h"
 
 namespace coppermoon::uses {

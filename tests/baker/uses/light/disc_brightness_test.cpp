@@ -2,10 +2,9 @@
 #include "uses/light/photometer.h"
 
 #include <glm/geometric.hpp>
-#include <numbers>
 
 #include "almanac/instant.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

@@ -2,20 +2,12 @@
 #include "uses/light/light_file.h"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <sys/stat.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <limits>
 #include <nlohmann/json.hpp>
 
-#include "algebra/error.h"
 #include "almanac/instant.h"
 #include "files/fingerprint.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

@@ -3,19 +3,11 @@
 
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <filesystem>
-#include <string>
-#include <vector>
-
-#include "algebra/error.h"
 #include "almanac/instant.h"
 #include "baker/uses/light/dusty_air.h"
 #include "colour/working_space.h"
 #include "end_to_end/true_luminance.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "uses/light/spectral_bands.h"
 
 namespace coppermoon::uses {

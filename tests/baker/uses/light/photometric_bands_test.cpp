@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "uses/light/photometer.h"
 
-#include "support/within.h"
+#include "support/testing.h"
 #include "uses/light/spectral_bands.h"
 
 namespace coppermoon::uses {

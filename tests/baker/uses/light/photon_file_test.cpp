@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "uses/light/photon_file.h"
 
-#include <gtest/gtest.h>
 #include <unistd.h>
-
-#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "algebra/error.h"
 #include "shadow/by_photons.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -41,8 +38,8 @@ class PhotonSumsFile : public testing::Test {
       ADD_FAILURE() << text.substr(0, 300);
     } catch (const algebra::Error& error) {
       const std::string line = error.what();
-      EXPECT_NE(line.find(path.string()), std::string::npos) << line;
-      EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+      EXPECT_SAYS(line, path.string());
+      EXPECT_SAYS_NOT(line, '\n');
     }
   }
 

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "uses/light/planning.h"
 
-#include <algorithm>
-#include <array>
-#include <functional>
-#include <numbers>
-
 #include "almanac/instant.h"
 #include "atmosphere/presets.h"
 #include "baker/uses/light/dusty_air.h"
 #include "shadow/twilight.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "uses/light/moonlight.h"
 #include "uses/light/spectral_bands.h"
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Knobs and air at random: the error that is reported bounds the true one, held against light that no
 // look-up was read for.
-#include <gtest/gtest.h>
-
 #include "end_to_end/planned_run.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "uses/light/shadow_profile.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
-
 #include "almanac/instant.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "uses/light/spectral_bands.h"
 
-#include <cmath>
-#include <numbers>
-#include <vector>
-
-#include "algebra/error.h"
 #include "colour/cie_observer.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

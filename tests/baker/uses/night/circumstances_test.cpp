@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "uses/night/circumstances.h"
 
-#include <algorithm>
-#include <cmath>
-#include <set>
-#include <string>
-#include <vector>
-
-#include "algebra/error.h"
 #include "almanac/gazetteer.h"
 #include "eclipse/seen_sky.h"
 #include "result/as_json.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "uses/night/calendar_file.h"
 #include "uses/picture/local_time.h"
 
@@ -151,8 +144,7 @@ TEST(Circumstances, OfAMoonUpBetweenContactsAreSeen) {
   EXPECT_EQ(contacts_seen(at("2018-07-27", "London")), "greatest to P4");
   EXPECT_EQ(contacts_seen(at("2018-07-27", "Chicago")), "none");
   for (const auto& [latitude, longitude] : {std::pair(70.65, 35.), std::pair(-70.6, -124.)})
-    EXPECT_NE(what_is_seen(circumstances(eclipse, place(latitude, longitude))).find("The Moon "),
-              std::string::npos)
+    EXPECT_SAYS(what_is_seen(circumstances(eclipse, place(latitude, longitude))), "The Moon ")
         << "the same rule as the almanac's";
 }
 
@@ -232,15 +224,15 @@ TEST(CalendarFile, IsOfLinesThatCalendarsRead) {
     ASSERT_NE(end, std::string::npos) << "RFC 5545: lines end in CRLF";
     const auto line = text.substr(from, end - from);
     EXPECT_LE(line.size(), 75U) << line;
-    EXPECT_EQ(line.find('\n'), std::string::npos);
+    EXPECT_SAYS_NOT(line, '\n');
     begun += line == "BEGIN:VEVENT";
     ended += line == "END:VEVENT";
     from = end + 2;
   }
   EXPECT_EQ(begun, ended);
   EXPECT_EQ(begun, 5U) << "the eclipse; greatest, U3, U4 and P4, which are seen from there";
-  EXPECT_NE(text.find("DTSTART:20180727T202145Z"), std::string::npos);
-  EXPECT_NE(text.find("LOCATION:London\\, England"), std::string::npos);
+  EXPECT_SAYS(text, "DTSTART:20180727T202145Z");
+  EXPECT_SAYS(text, "LOCATION:London\\, England");
   EXPECT_EQ(text, as_calendar(night, "London, England", made_then));
 }
 

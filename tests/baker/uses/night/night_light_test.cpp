@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "uses/night/night_light.h"
 
-#include <algorithm>
-#include <cmath>
 #include <mutex>
-#include <vector>
 
-#include "algebra/error.h"
 #include "almanac/gazetteer.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

@@ -2,7 +2,7 @@
 #include "uses/night/night_light.h"
 
 #include "atmosphere/sky_luminance.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "uses/night/visibility_map.h"
 
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
-
-#include "algebra/error.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -34,7 +27,7 @@ TEST(VisibilityMap, IsDrawnByGnuplotWithTimesToTheMinute) {
   EXPECT_GT(std::filesystem::file_size(file), 50000U) << "coastlines alone are 5000 points";
   std::ifstream in(file);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
-  EXPECT_NE(text.find("greatest 20:22"), std::string::npos) << "20:21:45, rounded";
+  EXPECT_SAYS(text, "greatest 20:22") << "20:21:45, rounded";
   std::filesystem::remove(file);
 }
 

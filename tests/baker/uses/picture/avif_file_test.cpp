@@ -2,7 +2,7 @@
 #include "uses/picture/picture_files.h"
 
 #include "support/helper_folder.h"
-#include "support/refusals.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/brightness.h"
 
-#include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 
-#include "algebra/error.h"
 #include "almanac/gazetteer.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "uses/light/photometer.h"
 
 namespace coppermoon::uses {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/caption.h"
 
-#include <gtest/gtest.h>
-
-#include "algebra/error.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

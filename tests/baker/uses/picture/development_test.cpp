@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/development.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <glm/matrix.hpp>
 #include <iostream>
 
-#include "algebra/error.h"
 #include "colour/camera.h"
 #include "support/exposed.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "uses/picture/picture_parameters.h"
 
 namespace coppermoon::uses {

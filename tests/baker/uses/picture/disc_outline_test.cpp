@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/disc_outline.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <utility>
-#include <vector>
-
 #include "povray_scenes/camera.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/frame_sky.h"
 
-#include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <numbers>
 
 #include "almanac/instant.h"
 #include "atmosphere/astronomical_refraction.h"
 #include "povray_scenes/camera.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "uses/light/spectral_bands.h"
 #include "uses/picture/brightness.h"
 #include "uses/picture/camera.h"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/local_time.h"
 
-#include <gtest/gtest.h>
-
 #include <cstdlib>
 
+#include "support/testing.h"
 #include "uses/picture/caption.h"
 
 namespace coppermoon::uses {

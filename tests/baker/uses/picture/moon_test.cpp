@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/moon.h"
 
-#include <array>
-#include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <glm/geometric.hpp>
-#include <string>
-#include <utility>
 
-#include "algebra/error.h"
 #include "colour/cie_observer.h"
 #include "photons/solar_disc.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "surface/albedo_map.h"
 #include "surface/reflectance.h"
 #include "uses/light/photometer.h"

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/photo_file.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-#include "algebra/error.h"
 #include "baker/texture/fits_bytes.h"
 #include "baker/texture/scratch_folder.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "texture/write_image.h"
 
 namespace coppermoon::uses {

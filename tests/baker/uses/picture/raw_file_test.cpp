@@ -2,14 +2,9 @@
 // A sensor's counts as raw files: what they say of the scene is what the photograph says of it.
 #include "uses/picture/camera.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-#include "algebra/error.h"
 #include "almanac/instant.h"
 #include "baker/texture/scratch_folder.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "texture/read_image.h"
 #include "uses/picture/photo_file.h"
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/clear_sky.h"
 
-#include <cmath>
-
 #include "atmosphere/sky_luminance.h"
 #include "colour/working_space.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "uses/light/spectral_bands.h"
 
 namespace coppermoon::uses {

@@ -2,20 +2,12 @@
 #include "uses/picture/sky_lights.h"
 
 #include <erfa.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
-#include <span>
-#include <utility>
 
-#include "algebra/error.h"
 #include "almanac/planets.h"
 #include "colour/working_space.h"
 #include "povray_scenes/camera.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/view.h"
-#include "support/refusals.h"
-
-#include <algorithm>
-
-#include "algebra/error.h"
 #include "almanac/gazetteer.h"
 #include "almanac/instant.h"
 #include "atmosphere/astronomical_refraction.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

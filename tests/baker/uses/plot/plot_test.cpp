@@ -2,13 +2,11 @@
 #include "uses/plot/plot.h"
 
 #include <sys/resource.h>
-
 #include <csignal>
-#include <iterator>
 
 #include "support/helper_folder.h"
 #include "support/left_behind.h"
-#include "support/refusals.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -41,8 +39,8 @@ TEST_F(Plots, HaveTheirWordsInThem) {
 
 TEST_F(Plots, HaveATitleOfTwoLines) {
   const auto svg = drawn(line_named("above\nbelow"));
-  EXPECT_NE(svg.find(">above<"), svg.npos);
-  EXPECT_NE(svg.find(">below<"), svg.npos);
+  EXPECT_SAYS(svg, ">above<");
+  EXPECT_SAYS(svg, ">below<");
 }
 
 TEST_F(Plots, TakeNoWordForAnOrder) {
@@ -58,8 +56,8 @@ TEST_F(Plots, HaveAPanelAboveAnother) {
   auto plot = line_named("one");
   plot.panels.push_back({{.label = "two", .logarithmic = true}, {{"1,1\n2,100\n", "linespoints"}}});
   const auto svg = drawn(plot);
-  EXPECT_NE(svg.find(">one<"), svg.npos);
-  EXPECT_NE(svg.find(">two<"), svg.npos);
+  EXPECT_SAYS(svg, ">one<");
+  EXPECT_SAYS(svg, ">two<");
 }
 
 TEST_F(Plots, EndInWhatGnuplotDraws) {

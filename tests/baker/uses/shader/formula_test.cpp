@@ -3,14 +3,7 @@
 // of known light.
 #include "uses/shader/formula.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <numbers>
-
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -21,8 +14,10 @@ using Numbers = std::array<double, 3>;
 double texel(const texture::Image& image, double u, double v) {
   const double x = u * static_cast<double>(image.width) - 0.5,
                y = v * static_cast<double>(image.height) - 0.5;
-  const auto c = static_cast<std::size_t>(std::clamp(x, 0., image.width - 2.)),
-             r = static_cast<std::size_t>(std::clamp(y, 0., image.height - 2.));
+  const auto before = [](double at, std::size_t size) {
+    return static_cast<std::size_t>(std::clamp(at, 0., static_cast<double>(size - 2)));
+  };
+  const auto c = before(x, image.width), r = before(y, image.height);
   const double right = std::clamp(x - static_cast<double>(c), 0., 1.),
                down = std::clamp(y - static_cast<double>(r), 0., 1.);
   return std::lerp(std::lerp(image(r, c, 0), image(r, c + 1, 0), right),

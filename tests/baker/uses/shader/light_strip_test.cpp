@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "uses/shader/light_strip.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "almanac/instant.h"
 #include "eclipse/shadow_axis.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "uses/light/shadow_profile.h"
 #include "uses/light/spectral_bands.h"
 

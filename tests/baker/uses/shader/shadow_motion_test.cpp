@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "uses/shader/shadow_motion.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "almanac/ephemeris.h"
 #include "almanac/sky.h"
 #include "eclipse/shadow_axis.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

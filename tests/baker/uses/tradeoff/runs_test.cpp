@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "uses/tradeoff/runs.h"
 
-#include <gtest/gtest.h>
-
 #include <chrono>
-#include <cmath>
 #include <thread>
 
 #include "almanac/instant.h"
-#include "support/within.h"
+#include "support/testing.h"
 
 namespace coppermoon::uses {
 namespace {

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Every option of every command has an effect by itself, or says of which others it depends. What requests become is
 // computed here for each value beside each other, where that takes no time.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <functional>
-#include <map>
+#include "support/testing.h"
 #include <memory>
-#include <set>
 
-#include "algebra/error.h"
 #include "almanac/instant.h"
 #include "atmosphere/atmosphere.h"
+#include "support/testing.h"
 #include "uses/dome/dome.h"
 #include "uses/light/light_parameters.h"
 #include "uses/picture/development.h"

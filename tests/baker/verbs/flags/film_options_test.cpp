@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "verbs/flags/film_options.h"
-#include "support/refusals.h"
-
-#include <string>
-#include <vector>
-
 #include "algebra/error.h"
 #include "request/recipe.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "verbs/command_line.h"
+#include "verbs/flags/film_options.h"
 
 namespace coppermoon::verbs {
 namespace {

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/flags/help.h"
 
-#include <gtest/gtest.h>
+#include "support/testing.h"
 
-#include <algorithm>
-#include <iterator>
-#include <set>
-#include <sstream>
-
+#include "support/testing.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/guide.h"
 #include "verbs/flags/known_words.h"
@@ -68,7 +64,7 @@ TEST(Help, OfAllListsEachFlagOnceInSentencesThatSayWhatItIs) {
   for (auto& verb : program.verbs) {
     const auto help = full_help(verb);
     for (const auto& flag : flag_texts(verb)) {
-      EXPECT_NE(help.find(flag.names), std::string::npos) << verb.name << flag.names;
+      EXPECT_SAYS(help, flag.names) << verb.name << flag.names;
       EXPECT_GT(flag.text.size(), 10U) << flag.name;
       for (const char* bare : {"of ", "on or off", "as ", "by ", "its ", "that ", "without: "})
         EXPECT_FALSE(flag.text.starts_with(bare)) << flag.name << ": " << flag.text;

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/flags/light_options.h"
 
-#include <gtest/gtest.h>
-
-#include <iterator>
-#include <sstream>
-#include <string>
-
 #include "algebra/error.h"
+#include "support/testing.h"
 #include "verbs/command_line.h"
 
 namespace coppermoon::verbs {

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/flags/moments.h"
-#include "support/refusals.h"
-
-#include <string>
-
 #include "algebra/error.h"
-#include "support/within.h"
+#include "support/testing.h"
 #include "verbs/command_line.h"
 
 namespace coppermoon::verbs {
@@ -41,7 +37,7 @@ TEST(Moments, AreToTheFullSecondThatIsSaid) {
     testing::internal::CaptureStderr();
     const auto when = text_of({text});
     const auto said = testing::internal::GetCapturedStderr();
-    EXPECT_NE(said.find("2018-07-27 " + when.substr(11, 8) + " UTC\n"), std::string::npos) << said;
+    EXPECT_SAYS(said, "2018-07-27 " + when.substr(11, 8) + " UTC\n");
     EXPECT_EQ(almanac::seconds_between(almanac::instant_from_utc(when), instant_of({text})), 0);
   }
 }
@@ -118,10 +114,10 @@ TEST(Places, OfSeveralCitiesAreSaidToBeTheLargest) {
 
 TEST(Moments, OfADayWithoutAnEclipseAreRefusedWithTheNearest) {
   const auto said = refusal({"2018-07-28"});
-  EXPECT_NE(said.find("the nearest is at 2018-07-27T20:2"), std::string::npos) << said;
-  EXPECT_NE(refusal({"2018-07-27 U5"}).find("allowed"), std::string::npos);
+  EXPECT_SAYS(said, "the nearest is at 2018-07-27T20:2");
+  EXPECT_SAYS(refusal({"2018-07-27 U5"}), "allowed");
   // penumbral alone: it has no U1
-  EXPECT_NE(refusal({"2020-01-10 U1"}).find("P1, greatest, P4"), std::string::npos);
+  EXPECT_SAYS(refusal({"2020-01-10 U1"}), "P1, greatest, P4");
 }
 
 TEST(Moments, InTwoArgumentsAreOne) {

@@ -2,6 +2,7 @@
 #include "verbs/flags/named_files.h"
 
 #include "baker/texture/scratch_folder.h"
+#include "support/testing.h"
 
 namespace coppermoon::verbs {
 namespace {

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
+#include "support/testing.h"
 #include <cstdio>
-#include <fstream>
 
 #include "../../texture/scratch_folder.h"
+#include "support/testing.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/help.h"
 #include "verbs/manuals/completions.h"
@@ -53,7 +50,7 @@ TEST_F(Manuals, PagesHoldEveryOptionAndGroffHasNothingToWarnOf) {
       auto name = "--" + flag.name;
       for (std::size_t at = 0; (at = name.find('-', at)) != std::string::npos; at += 2)
         name.replace(at, 1, "\\-");
-      EXPECT_NE(page.find(name), std::string::npos) << verb.name << ' ' << name;
+      EXPECT_SAYS(page, name) << verb.name << ' ' << name;
     }
   }
   for (const auto& page : pages)
@@ -68,9 +65,8 @@ TEST_F(Manuals, RoffPrintsTextsAsTheyAre) {
   const auto page = file("shoot.1", manual_page(verb));
   const auto shown = printed_by(
       fmt::format("groff -K utf8 -T ascii -P -cbou -man -ww -rLL=200n {}", page.string()));
-  EXPECT_NE(shown.find(".TH is no macro here, - is a minus, \\n no new line"), std::string::npos)
-      << shown;
-  EXPECT_NE(shown.find("takes 'all' of C:\\x"), std::string::npos) << shown;
+  EXPECT_SAYS(shown, ".TH is no macro here, - is a minus, \\n no new line");
+  EXPECT_SAYS(shown, "takes 'all' of C:\\x");
 }
 
 TEST_F(Manuals, ShellsReadTheirCompletions) {

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-
-#include "algebra/error.h"
 #include "request/recipe.h"
+#include "support/testing.h"
 #include "texture/write_image.h"
 #include "uses/light/light_parameters.h"
 #include "verbs/command_line.h"
@@ -112,8 +107,8 @@ TEST_F(Recipe, GivesWayToTheUser) {
 TEST_F(Recipe, NamesFileAndLineOfAnUnknownKey) {
   write("# first\n\nrayz = 5\n");
   const auto error = error_of(one.program, {"bake", "--recipe", path});
-  EXPECT_NE(error.find(path + ":3: rayz"), std::string::npos) << error;
-  EXPECT_NE(error.find("the nearest is rays"), std::string::npos) << error;
+  EXPECT_SAYS(error, path + ":3: rayz");
+  EXPECT_SAYS(error, "the nearest is rays");
 }
 
 TEST_F(Recipe, NamesFileAndLineOfAValueThatIsNotAllowed) {
@@ -250,7 +245,7 @@ TEST_F(Recipe, NamesFileAndLineOfABadValueInARegion) {
   EXPECT_TRUE(much.starts_with("2: region 'dust-extinction=much,")) << much;
   const auto word = error_in(where + "stratospheric-aerosol = \"thick\"\n");
   EXPECT_TRUE(word.starts_with("2: region '")) << word;
-  EXPECT_NE(word.find("moderate"), std::string::npos) << word;
+  EXPECT_SAYS(word, "moderate");
   for (const char* value : {"[1, 2]", "\"1,cloud-top-km=3\"", "\"\"", "[]", "{}"}) {
     const auto error = error_in(where + "cloud-cover = " + value + "\n");
     EXPECT_TRUE(error.starts_with("5: cloud-cover = ")) << error;
@@ -266,7 +261,7 @@ TEST_F(Recipe, WritesRegionsAsTablesAtTheEnd) {
                                       "--atmosphere", "clear", "--region",
                                       "from-position-angle=330,to-position-angle=30,"
                                       "stratospheric-aerosol=high"});
-  EXPECT_EQ(text.find("atmosphere = "), std::string::npos) << text;
+  EXPECT_SAYS_NOT(text, "atmosphere = ");
   EXPECT_TRUE(
       text.ends_with("\n[atmosphere]\nmodel = 'clear'\n"
                      "\n[[atmosphere.region]]\nfrom-latitude = -90\nto-latitude = 0\n"
@@ -278,9 +273,9 @@ TEST_F(Recipe, WritesRegionsAsTablesAtTheEnd) {
 
 TEST_F(Recipe, WithoutRegionsHasNoTables) {
   const auto text = AirProgram().recipe_after({"--atmosphere", "clear"});
-  EXPECT_NE(text.find("\natmosphere = 'clear'\n"), std::string::npos) << text;
-  EXPECT_EQ(text.find("region"), std::string::npos) << text;
-  EXPECT_EQ(text.find('['), std::string::npos) << text;
+  EXPECT_SAYS(text, "\natmosphere = 'clear'\n");
+  EXPECT_SAYS_NOT(text, "region");
+  EXPECT_SAYS_NOT(text, '[');
 }
 
 TEST_F(Recipe, WithRegionsRoundsTripThroughAFile) {
@@ -288,7 +283,7 @@ TEST_F(Recipe, WithRegionsRoundsTripThroughAFile) {
   const auto first = AirProgram().recipe_after({"2008-02-21", "--recipe", path});
   write(first);
   EXPECT_EQ(AirProgram().recipe_after({"--recipe", path}), first);
-  EXPECT_NE(first.find("dust-extinction = 1e-05"), std::string::npos) << first;
+  EXPECT_SAYS(first, "dust-extinction = 1e-05");
 }
 
 TEST_F(Recipe, KeepsARegionThatStandsTwice) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/reports/in_words.h"
 
-#include <gtest/gtest.h>
+#include "support/testing.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -48,7 +48,7 @@ TEST(InWords, ACurveThatNoCameraHasIsDoubted) {
   colour::ToneCurve curve{{1, -3.9, 2}};
   EXPECT_EQ(doubt_of(curve), "");
   curve.numbers[1] = -19;
-  EXPECT_NE(doubt_of(curve).find("-19 standard deviations"), std::string::npos);
+  EXPECT_SAYS(doubt_of(curve), "-19 standard deviations");
 }
 
 }  // namespace

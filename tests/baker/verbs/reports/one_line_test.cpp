@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/reports/one_line.h"
 
-#include <gtest/gtest.h>
+#include "support/testing.h"
 
 namespace coppermoon::verbs {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/reports/progress_bar.h"
 
-#include <gtest/gtest.h>
+#include "support/testing.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -16,7 +16,7 @@ TEST(AtWork, IsSaidAfterAWhileAndThenAgain) {
     std::this_thread::sleep_for(200ms);
   }
   const auto said = testing::internal::GetCapturedStderr();
-  EXPECT_EQ(said.find("plan"), said.npos) << said;
+  EXPECT_SAYS_NOT(said, "plan");
   EXPECT_EQ(said.find("coppermoon: bake: at work for 0 s\n"), 0U) << said;
   EXPECT_NE(said.rfind("bake"), said.find("bake")) << "again";
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/reports/writers.h"
-#include "support/refusals.h"
-
-#include <gtest/gtest.h>
+#include "support/testing.h"
 
 namespace coppermoon::verbs {
 namespace {
