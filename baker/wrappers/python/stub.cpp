@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "eclipse/contacts.h"
 #include "uses/fit/fit_results.h"
 #include "uses/light/shadow_profile.h"
 #include "uses/picture/brightness.h"
