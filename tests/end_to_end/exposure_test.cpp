@@ -53,10 +53,9 @@ class Exposure : public ProgramTest {
   }
 
   static Words with_grey_moon(const Words& words) {
-    return words + words_of(
-                       "{} --unshadowed --albedo-map grey.exr --texture-width 64 --photometry "
-                       "yapo-cutler",
-                       mid_eclipse);
+    return Words{words[0], mid_eclipse} +
+           "--unshadowed --albedo-map grey.exr --texture-width 64 --photometry yapo-cutler" +
+           Words(words.begin() + 1, words.end());
   }
 
   /// The texture, made once for all tests.

@@ -143,7 +143,7 @@ TEST_F(FilmJob, HoldsWhatARecipeSays) {
 TEST_F(FilmJob, RefusesWhatNoJobCouldSay) {
   expect_refused(film + "-o film --job job.txt", "job.txt: a job ends in .yaml");
   expect_refused(film + "-o film --job job.yaml --shard 1/2", "allowed 1/1 with --job");
-  expect_refused(film + "-o film --job job.yaml --dry-run", "allowed one of the two");
+  expect_refused(film + "-o film --job job.yaml --dry-run", "allowed one of the two", wrong_usage);
   expect_refused(film + "-o film --job job.yaml --make light",
                  "allowed where --photons says how many");
   expect_refused(film + "-o film --job /usr/share/job.yaml",

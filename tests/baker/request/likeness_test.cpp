@@ -20,7 +20,7 @@ TEST(Likeness, CountsLettersToInsertDropOrChange) {
 
 TEST(Likeness, FindsTheNearestOfKnownWords) {
   const std::vector<std::string> known{"rays", "seed", "ozone-du", "cloud-cover"};
-  EXPECT_EQ(nearest("ozon", known), "ozone-du");
+  EXPECT_EQ(nearest("ozone", known), "ozone-du");
   EXPECT_EQ(nearest("sead", known), "seed");
   EXPECT_EQ(nearest(std::string(1'000'000, 'n'), known), "ozone-du") << "the only n, in no time";
 }
