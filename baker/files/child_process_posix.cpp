@@ -24,7 +24,7 @@ namespace {
 using algebra::Error;
 using Clock = std::chrono::steady_clock;
 
-int descriptor(const Handle& handle) { return static_cast<int>(handle.number); }
+int descriptor_of(const Handle& handle) { return static_cast<int>(handle.number); }
 
 [[noreturn]] void refuse_pipe() {
   throw Error(fmt::format("no pipe to another program: {}", std::strerror(errno)));
@@ -39,7 +39,7 @@ void become(char* const* arguments, char* const* variables, const Program& progr
   const int nothing = ::open("/dev/null", O_RDWR);
   if (nothing < 0 || ::chdir(program.folder.c_str()) != 0) return;
   const auto put = [&](const Handle* stream, int place) {
-    ::dup2(stream == nullptr ? nothing : descriptor(*stream), place);
+    ::dup2(stream == nullptr ? nothing : descriptor_of(*stream), place);
   };
   put(streams.input, STDIN_FILENO), put(streams.output, STDOUT_FILENO),
       put(streams.error, STDERR_FILENO);
@@ -69,14 +69,14 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
 /// Value of errno that the child wrote before it ended, or 0 when exec closed the pipe.
 int failure_of(const Handle& from) {
   int failure = 0;
-  while (::read(descriptor(from), &failure, sizeof failure) < 0 && errno == EINTR) continue;
+  while (::read(descriptor_of(from), &failure, sizeof failure) < 0 && errno == EINTR) continue;
   return failure;
 }
 
 /// Watch for the closing of a written file in a folder; none where none is wanted, or the system has no more.
 Handle watch(const std::filesystem::path& folder, const std::string& file) {
   Handle made(file.empty() ? -1 : ::inotify_init1(IN_CLOEXEC | IN_NONBLOCK));
-  if (made && ::inotify_add_watch(descriptor(made), folder.c_str(), IN_CLOSE_WRITE) < 0)
+  if (made && ::inotify_add_watch(descriptor_of(made), folder.c_str(), IN_CLOSE_WRITE) < 0)
     made.close();
   return made;
 }
@@ -84,7 +84,7 @@ Handle watch(const std::filesystem::path& folder, const std::string& file) {
 /// Whether a watch that is readable reports that file.
 bool has_closed(const Handle& watch, const std::string& file) {
   alignas(inotify_event) std::array<char, 4096> events;
-  const auto count = ::read(descriptor(watch), events.data(), events.size());
+  const auto count = ::read(descriptor_of(watch), events.data(), events.size());
   for (std::ptrdiff_t at = 0; at < count;) {
     const auto* event = reinterpret_cast<const inotify_event*>(events.data() + at);
     if (event->len > 0 && file == event->name) return true;
@@ -113,7 +113,7 @@ bool listen(const Handle& words, const Handle& closing, const Program& program,
   const auto start = Clock::now();
   for (;;) {
     std::array<pollfd, 2> waiting{
-        {{descriptor(words), POLLIN, 0}, {descriptor(closing), POLLIN, 0}}};
+        {{descriptor_of(words), POLLIN, 0}, {descriptor_of(closing), POLLIN, 0}}};
     if (::poll(waiting.data(), waiting.size(),
                milliseconds_left(program, hearing.timeout_s, start)) <= 0)
       continue;
@@ -142,7 +142,7 @@ Pipe::Pipe() {
 std::string read_some(const Handle& pipe) {
   std::array<char, 4096> buffer;
   for (;;) {
-    const auto count = ::read(descriptor(pipe), buffer.data(), buffer.size());
+    const auto count = ::read(descriptor_of(pipe), buffer.data(), buffer.size());
     if (count >= 0 || errno != EINTR)
       return {buffer.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0))};
   }
@@ -172,7 +172,7 @@ void start(RunningProgram& running, const Program& program, const Streams& strea
   if (running.id == 0) {
     become(arguments.data(), environment.data(), program, streams, ourselves);
     const int why = errno;
-    [[maybe_unused]] const auto written = ::write(descriptor(failed.in), &why, sizeof why);
+    [[maybe_unused]] const auto written = ::write(descriptor_of(failed.in), &why, sizeof why);
     ::_exit(127);
   }
   const int not_forked = running.id < 0 ? errno : 0;

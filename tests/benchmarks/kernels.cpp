@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "atmosphere/presets.h"
+#include "photons/bending.h"
 #include "photons/photon.h"
 #include "photons/trace.h"
 #include "shadow/by_photons.h"
