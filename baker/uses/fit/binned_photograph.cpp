@@ -38,7 +38,7 @@ SkyAndGlow light_beside(const AroundTheDisc& light, const AroundTheDisc& black,
 }
 
 /// Sums over a bin's pixels.
-struct Sum {
+struct SumOfBin {
   double light = 0, displayed = 0, sunlit = 0, glow = 0, black = 0;
   double squares = 0;        ///< of differences between pixels two apart
   double light_squares = 0;  ///< of the pixels' light
@@ -112,10 +112,10 @@ struct Off {
   double displayed, sky, glow;
 };
 
-std::vector<Sum> sums_of(const FitScene& scene, const Brought& channel, const Channel& clipped,
+std::vector<SumOfBin> sums_of(const FitScene& scene, const Brought& channel, const Channel& clipped,
                          const Off& off, bool curved) {
   const auto& light = channel.light;
-  std::vector<Sum> sums(scene.bins);
+  std::vector<SumOfBin> sums(scene.bins);
   const auto subtracted = [&](std::size_t pixel) {
     return off.sky + off.glow * channel.glow.values()[pixel];
   };
@@ -153,7 +153,7 @@ std::vector<Sum> sums_of(const FitScene& scene, const Brought& channel, const Ch
 
 /// Prior of the factor on the computed glow: a lens's usual share of light, times the photograph's scale, the median
 /// over its sound bins.
-Uncertain usual_glow(const FitScene& scene, std::size_t k, std::span<const Sum> sums) {
+Uncertain usual_glow(const FitScene& scene, std::size_t k, std::span<const SumOfBin> sums) {
   constexpr double share = 0.03, error = 0.02;
   std::vector<double> scales;
   for (std::size_t b = 0; b < sums.size(); ++b)
