@@ -13,8 +13,8 @@ namespace coppermoon::uses {
 
 /// Files to make of a whole film, once its frames are there; an empty path asks for none.
 struct FilmFiles {
-  std::filesystem::path contact_sheet, movie, composite, stage;
-  std::vector<std::filesystem::path> curves;
+  std::filesystem::path contact_sheet = {}, movie = {}, composite = {}, stage = {};
+  std::vector<std::filesystem::path> curves = {};
 
   /// Those that are asked for, in the order in which they are made.
   std::vector<std::filesystem::path> all() const;
