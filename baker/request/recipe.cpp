@@ -19,8 +19,8 @@ namespace {
 std::string quoted(const std::string& text) {
   const bool plain = std::ranges::none_of(text, [](char c) { return c >= 0 && c < ' '; });
   std::ostringstream literal;
-  literal << toml::toml_formatter{toml::value{text}, plain ? toml::toml_formatter::default_flags
-                                                           : toml::format_flags::none};
+  literal << toml::toml_formatter{
+      toml::value{text}, plain ? toml::toml_formatter::default_flags : toml::format_flags::none};
   return literal.str();
 }
 

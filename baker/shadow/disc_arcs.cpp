@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "algebra/quadrature.h"
-#include "shadow/padding.h"
 #include "shadow/landed_rows.h"
+#include "shadow/padding.h"
 
 namespace coppermoon::shadow {
 namespace {

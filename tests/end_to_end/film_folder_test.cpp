@@ -3,8 +3,8 @@
 #include <sys/stat.h>
 
 #include "files/lock.h"
-#include "support/testing.h"
 #include "support/program.h"
+#include "support/testing.h"
 #include "texture/image.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"

@@ -5,8 +5,8 @@
 #include "colour/exposure.h"
 #include "support/program.h"
 #include "texture/read_image.h"
-#include "uses/picture/picture_files.h"
 #include "uses/picture/disc_outline.h"
+#include "uses/picture/picture_files.h"
 
 namespace coppermoon::end_to_end {
 namespace {

@@ -134,10 +134,9 @@ std::string FilmRecord::foreign_contents(const std::filesystem::path& file) cons
   try {
     const auto there = account_in(file);
     if (there.empty()) return "what is no film of coppermoon's";
-    const auto why = uses::in_words(
-        request::differences(there, planned_account(*this), [&](const Setting& setting) {
-          return depends_on(file, setting) && !is_planned(setting);
-        }));
+    const auto why = uses::in_words(request::differences(
+        there, planned_account(*this),
+        [&](const Setting& setting) { return depends_on(file, setting) && !is_planned(setting); }));
     return why.empty() ? "" : "a film made with " + why;
   } catch (const algebra::Error&) {
     return {};
@@ -146,7 +145,8 @@ std::string FilmRecord::foreign_contents(const std::filesystem::path& file) cons
 
 Recipe light_key_in(const std::string& text) {
   return request::recipe_in(
-      text, "", {"first-frame", "last-frame", "version", "albedo-map-contents", view_contents_name});
+      text, "",
+      {"first-frame", "last-frame", "version", "albedo-map-contents", view_contents_name});
 }
 
 std::string in_words(std::vector<request::Difference> all) {

@@ -14,7 +14,8 @@ namespace coppermoon::uses {
 /// Request that a film is made from, as its files' headers keep it; tells the film's own files from others.
 /// Functions may be called from any thread.
 struct FilmRecord {
-  request::Recipe recipe{};  ///< as asked for, with the textures' width; empty: no file is of this film
+  request::Recipe
+      recipe{};  ///< as asked for, with the textures' width; empty: no file is of this film
   std::string map_contents{}, view_contents{};  ///< fingerprints of files that the recipe names
   std::optional<plan::Work> work{};             ///< of the light, once it is planned
   /// End of the refusal of another film's files, behind "allowed another folder"

@@ -113,7 +113,7 @@ struct Off {
 };
 
 std::vector<SumOfBin> sums_of(const FitScene& scene, const Brought& channel, const Channel& clipped,
-                         const Off& off, bool curved) {
+                              const Off& off, bool curved) {
   const auto& light = channel.light;
   std::vector<SumOfBin> sums(scene.bins);
   const auto subtracted = [&](std::size_t pixel) {

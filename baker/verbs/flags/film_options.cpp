@@ -34,9 +34,9 @@ struct ProductWord {
 
 /// Words of --make.
 constexpr ProductWord product_words[]{
-    {"light", &uses::Products::light},     {"scenes", &uses::Products::scenes},
-    {"tx", &uses::Products::mipmapped},    {"textures", &uses::Products::textures},
-    {"frames", &uses::Products::frames},   {"pictures", &uses::Products::pictures}};
+    {"light", &uses::Products::light},   {"scenes", &uses::Products::scenes},
+    {"tx", &uses::Products::mipmapped},  {"textures", &uses::Products::textures},
+    {"frames", &uses::Products::frames}, {"pictures", &uses::Products::pictures}};
 
 /// Seconds of a text as "10", "10s" or "2min", as a number.
 std::string duration_as_seconds(const std::string& text) {

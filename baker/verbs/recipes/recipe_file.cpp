@@ -61,11 +61,10 @@ WrongUsage no_such_key(const Verb& verb, const std::string& where, const std::st
                        const std::string& table, const std::vector<std::string>& known) {
   const bool above = table != verb.name && holds(names_of(verb), key);
   const auto now = since_there_is_no(key);
-  return WrongUsage(
-      fmt::format("{}{}: {} has no such key; {}", where, one_line(key), table,
-                  above          ? "it belongs above all tables"
-                  : !now.empty() ? std::string(now)
-                                 : "the nearest is " + request::nearest(key, known)));
+  return WrongUsage(fmt::format("{}{}: {} has no such key; {}", where, one_line(key), table,
+                                above          ? "it belongs above all tables"
+                                : !now.empty() ? std::string(now)
+                                               : "the nearest is " + request::nearest(key, known)));
 }
 
 WrongUsage unknown(const Verb& verb, const Setting& setting) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Every option of every command has an effect by itself, or says of which others it depends. What requests become is
 // computed here for each value beside each other, where that takes no time.
-#include "support/testing.h"
 #include <memory>
+#include "support/testing.h"
 
 #include "almanac/instant.h"
 #include "atmosphere/atmosphere.h"
@@ -373,9 +373,9 @@ const std::set<std::string, std::less<>>& effective_by_themselves() {
       "sun-distance-km", "wavelengths", "axis-distances", "position-angle", "danjon-spread",
       "unknowns", "despite-misfit", "only", "longest", "repeat", "quick",
       // what is written, and how; several are refused where they contradict others
-      "output", "json", "csv", "recipe", "raw", "photograph", "contact-sheet", "curve",
-      "movie", "hdr", "composite", "stage", "cache", "embed", "for", "list", "clean", "limit",
-      "folder", "job", "dry-run", "replace", "shard", "keep", "add", "stars", "sky",
+      "output", "json", "csv", "recipe", "raw", "photograph", "contact-sheet", "curve", "movie",
+      "hdr", "composite", "stage", "cache", "embed", "for", "list", "clean", "limit", "folder",
+      "job", "dry-run", "replace", "shard", "keep", "add", "stars", "sky",
       // of a film: a run may make what a later one needs, and its folder keeps all of them
       "frames", "fps", "start-frame", "time-scale", "duration", "moments", "make", "range", "mount",
       "aim", "scene", "bracket", "caption", "space", "type", "spectral", "passes",

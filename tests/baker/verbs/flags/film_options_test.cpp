@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "verbs/flags/film_options.h"
 #include "algebra/error.h"
 #include "request/recipe.h"
 #include "support/testing.h"
 #include "verbs/command_line.h"
-#include "verbs/flags/film_options.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -207,9 +207,10 @@ TEST(FilesOfAFilm, AreOfKnownEndingsAndOfAWholeFilm) {
             "a.avi: a movie ends in .mp4 or .mov");
   EXPECT_EQ(refusal_of([] { require_whole_film({.files = {.movie = "a.mov"}}); }), "");
   EXPECT_EQ(refusal_of([] { require_whole_film({.files = {.composite = "a.png"}}); }), "");
-  EXPECT_EQ(refusal_of([] { require_whole_film({.shard = "1/2", .files = {.composite = "a.png"}}); }),
-            "--composite needs every frame: run it without --shard after all shards, which are "
-            "made with --make frames,pictures");
+  EXPECT_EQ(
+      refusal_of([] { require_whole_film({.shard = "1/2", .files = {.composite = "a.png"}}); }),
+      "--composite needs every frame: run it without --shard after all shards, which are "
+      "made with --make frames,pictures");
 }
 
 /// What a command line says of a film, and the recipe's line of one of its flags.

@@ -36,8 +36,7 @@ TEST(Guides, NameFlagsThatThereAreAndFewOfThem) {
     const auto known = names_of(verb);
     const auto& common = guide_to(verb.name).common;
     EXPECT_LE(common.size(), 10U) << verb.name;
-    for (const auto flag : common)
-      EXPECT_TRUE(holds(known, flag)) << verb.name << " --" << flag;
+    for (const auto flag : common) EXPECT_TRUE(holds(known, flag)) << verb.name << " --" << flag;
   }
 }
 
@@ -53,7 +52,8 @@ TEST(Guides, HaveTwoExamplesOfFlagsThatThereAre) {
       EXPECT_EQ(words[1], verb.name);
       for (const auto& word : words)
         if (word.starts_with("-")) {
-          EXPECT_NE(flag_of(verb, word.starts_with("--") ? word.substr(2) : word), nullptr) << example;
+          EXPECT_NE(flag_of(verb, word.starts_with("--") ? word.substr(2) : word), nullptr)
+              << example;
         }
     }
   }
@@ -102,9 +102,7 @@ TEST(Suggestions, AreWhatIsMeantOrAlmostSpelt) {
 
 TEST(Suggestions, LeadFromNaturalWordsToFlagsAndCommands) {
   AllCommands program;
-  const auto flags_of = [&](const char* verb) {
-    return names_of(*find_verb(program, verb));
-  };
+  const auto flags_of = [&](const char* verb) { return names_of(*find_verb(program, verb)); };
   EXPECT_EQ(flag_suggested_for("width", flags_of("bake")), "; did you mean --texture-width?");
   EXPECT_EQ(flag_suggested_for("resolution", flags_of("bake")), "; did you mean --texture-width?");
   EXPECT_EQ(flag_suggested_for("resolution", flags_of("still")), "; did you mean --width?");
@@ -124,8 +122,10 @@ TEST(Help, IsAWordOfTheProgramToo) {
   EXPECT_EQ(text({"help"}), text({"--help"}));
   EXPECT_NE(text({"help"}).find("Usage: coppermoon COMMAND"), std::string::npos);
   EXPECT_NE(text({"help", "still"}).find("Usage: coppermoon still"), std::string::npos);
-  for (const auto& words : std::vector<std::vector<std::string>>{
-           {"still", "--help"}, {"still", "-h"}, {"--help", "still"}, {"still", "--iso", "x", "-h"}})
+  for (const auto& words : std::vector<std::vector<std::string>>{{"still", "--help"},
+                                                                 {"still", "-h"},
+                                                                 {"--help", "still"},
+                                                                 {"still", "--iso", "x", "-h"}})
     EXPECT_EQ(text(words), text({"help", "still"}));
   EXPECT_NE(text({"still", "--help-all"}), text({"still", "--help"}));
   EXPECT_TRUE(text({"version"}).starts_with("coppermoon "));

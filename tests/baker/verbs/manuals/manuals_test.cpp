@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include "support/testing.h"
 #include <cstdio>
+#include "support/testing.h"
 
 #include "../../texture/scratch_folder.h"
 #include "support/testing.h"
