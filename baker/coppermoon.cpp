@@ -24,18 +24,19 @@ namespace verbs = coppermoon::verbs;
 
 constexpr int could_not = 1, wrong_usage = 2;
 
-/// An error, whoever wrote it.
+/// Prints an error message, wherever its text comes from.
 void say(std::string_view error) {
   std::fputs(fmt::format("coppermoon: {}\n", verbs::one_line(error)).c_str(), stderr);
 }
 
-/// What a thread that cannot begin, or a library's promise not to throw, make of too little memory.
+/// Ends the program if memory runs out where no exception can be caught: when a thread cannot start, or in a library
+/// function that promises not to throw.
 [[noreturn]] void end_at_once() {
   files::say_at_once("coppermoon: not enough memory\n");
   std::_Exit(could_not);
 }
 
-/// Time zones of a portable archive, where the system has none.
+/// Uses the time zones in a portable archive if the system has none.
 void find_time_zones() {
   std::error_code failed;
   if (std::filesystem::exists("/usr/share/zoneinfo", failed)) return;
@@ -71,7 +72,7 @@ int main(int count, char** words) {
   files::keep_freed_memory();
   files::prepare_standard_streams();
   std::set_terminate(end_at_once);
-  // OpenImageIO brings OpenBLAS along, whose threads nobody needs: where memory is short they never end
+  // OpenImageIO loads OpenBLAS, whose threads nobody needs and which never end if memory is short
   files::set_missing_variable("OPENBLAS_NUM_THREADS", "1");
   find_time_zones();
   const int status = run(count, words);

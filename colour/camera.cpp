@@ -21,7 +21,7 @@ namespace {
 using std::numbers::pi;
 using TextTable = std::vector<std::vector<std::string>>;
 
-/// Photons of 555 nm a second in one lumen: λ / (683 h c).
+/// Photons of 555 nm per second in one lumen: λ / (683 h c).
 constexpr double photons_per_lm_s = 4.0914e15;
 
 std::vector<std::string> first_column(const TextTable& table) {
@@ -30,7 +30,7 @@ std::vector<std::string> first_column(const TextTable& table) {
   return names;
 }
 
-/// Row of a table by its first cell; cells by column name.
+/// A table's row, found by its first cell; gives its cells by column name.
 class Row {
  public:
   Row(const TextTable& table, std::string_view what, std::string_view name)
@@ -74,24 +74,24 @@ Response of_matrix(const glm::dmat3& from_xyz) {
   return response;
 }
 
-/// π/4 τ (1 − ε²): focal-plane illuminance over luminance, times the f-number squared.
+/// π/4 τ (1 − ε²): the ratio of focal-plane illuminance to luminance, times the f-number squared.
 double light_passed(const CameraOptics& optics) {
   return pi / 4 * optics.transmission * (1 - optics.obstruction * optics.obstruction);
 }
 
-/// Electrons of a pixel for each lux second.
+/// Electrons that a pixel collects per lux second.
 double electrons_per_lx_s(const Sensor& sensor) {
   const double side_m = sensor.pixel_um * 1e-6;
   return sensor.quantum_efficiency * photons_per_lm_s * side_m * side_m;
 }
 
-/// Electrons that fill the converter's range, full well apart.
+/// Electrons that fill the converter's range, regardless of full well.
 double saturation_e(const Sensor& sensor, double iso) {
   exposure_scale({.iso = iso});  // checks the range
   return electrons_per_lx_s(sensor) * saturation_exposure_lx_s / iso;
 }
 
-/// Focal-plane exposure for each cd/m² [lx s].
+/// Focal-plane exposure per cd/m² [lx s].
 double exposure_lx_s(const Camera& camera, const Exposure& exposure) {
   exposure_scale(exposure);  // checks the ranges
   return light_passed(camera.optics) * exposure.time_s / (exposure.f_number * exposure.f_number);

@@ -27,7 +27,7 @@ constexpr const char* ending = ".csv";
 constexpr std::string_view of_red = "_r";
 const std::array<std::string, 3> channel_columns{"r", "g", "b"};
 
-/// Edges of 400 bands of 1 nm, over which spectra are multiplied.
+/// Edges of 400 bands, each 1 nm wide, in which spectra are multiplied.
 std::vector<double> edges_nm() {
   std::vector<double> edges(401);
   std::iota(edges.begin(), edges.end(), 380.);
@@ -38,13 +38,13 @@ double product(std::span<const double> one, std::span<const double> other) {
   return std::inner_product(one.begin(), one.end(), other.begin(), 0.);
 }
 
-/// Signals of three curves for a spectrum of 1 nm bands.
+/// Signals that a spectrum in 1 nm bands produces with three sensitivity curves.
 glm::dvec3 signals(const algebra::Grid<double>& curves, std::span<const double> spectrum) {
   return {product(curves.row(0), spectrum), product(curves.row(1), spectrum),
           product(curves.row(2), spectrum)};
 }
 
-/// Patches under D65, the first a perfect white, in 1 nm bands.
+/// Spectra of the patches under D65 in 1 nm bands; the first patch is a perfect white.
 algebra::Grid<double> lit_patches() {
   static const auto table = algebra::parse_table(tables::colour_checker(), "colour_checker.csv");
   std::vector<std::string> names;
@@ -58,12 +58,12 @@ algebra::Grid<double> lit_patches() {
   return lit;
 }
 
-/// Patches as the CIE observer sees them, XYZ over the white's Y, and as a camera does, white-balanced.
+/// Patches as the CIE observer sees them (XYZ divided by the Y of white), and as a camera does (white-balanced).
 struct Seen {
-  std::vector<glm::dvec3> xyz, balanced;  ///< the first: white
+  std::vector<glm::dvec3> xyz, balanced;  ///< the first is white
 };
 
-/// Row of the matrix, by least squares over the patches; its coefficients sum to the white's value, so that white is kept.
+/// A row of the matrix, by least squares over the patches. Its coefficients sum to the value of white, to keep white.
 glm::dvec3 fitted_row(const Seen& seen, int row) {
   const double white = seen.xyz.front()[row];
   double rr = 0, rg = 0, gg = 0, rt = 0, gt = 0;
@@ -100,7 +100,7 @@ void fit(CameraSpectra& camera, const std::string& name) {
   glm::dmat3 rows;
   for (int row = 0; row < 3; ++row) rows[row] = fitted_row(seen, row);
   camera.xyz_from_balanced = glm::transpose(rows);
-  constexpr double alike = 1e-4;  // cameras: 0.3 to 0.6
+  constexpr double alike = 1e-4;  // real cameras have 0.3 to 0.6
   const double determinant = glm::determinant(camera.xyz_from_balanced);
   double most = 0;
   for (int i = 0; i < 9; ++i)
@@ -120,7 +120,7 @@ void fit(CameraSpectra& camera, const std::string& name) {
   }
 }
 
-/// Refuses columns that are no spectral sensitivities.
+/// Refuses columns that cannot be spectral sensitivities.
 void require_sound(const algebra::Table& table, const std::string& file) {
   for (const auto* column : {"wavelength_nm", "r", "g", "b"})
     if (!table.columns.contains(column))
@@ -164,7 +164,7 @@ CameraSpectra read(const std::string& file) {
   return camera;
 }
 
-/// All cameras of the table.
+/// All cameras in the built-in table.
 const std::map<std::string, CameraSpectra, std::less<>>& built_in() {
   static const auto cameras = [] {
     const auto table = algebra::parse_table(tables::camera_spectra(), "camera_spectra.csv");

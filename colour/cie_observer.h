@@ -9,7 +9,7 @@
 
 namespace coppermoon::colour {
 
-/// Lumens in a watt of green light (555 nm) [lm/W].
+/// Lumens per watt of green light (555 nm) [lm/W].
 ///
 /// Source  BIPM, The International System of Units (2019), K_cd
 inline constexpr double luminous_efficacy_lm_per_W = 683;
@@ -20,18 +20,18 @@ inline constexpr double luminous_efficacy_lm_per_W = 683;
 ///     X = 683 Σ_b L_b ∫_b x̄(λ) dλ        [cd/m²]; likewise Y (the luminance) and Z
 ///
 /// Given     edges_nm  of the bands, increasing: one more than there are bands. Wavelengths outside
-///                     360 to 830 nm are not seen
+///                     360 to 830 nm do not count
 /// Returned  weights   [X Y Z][band], cd/m² per W m⁻² sr⁻¹ nm⁻¹
 /// Throws    Error     when there is no band, or an edge is not above the one before it
-/// Source    CIE 15: the colour matching functions, every 1 nm, straight lines between
+/// Source    CIE 15: the colour-matching functions every 1 nm, interpolated linearly
 algebra::Grid<double> xyz_weights(std::span<const double> edges_nm);
 
-/// Integrals of a table's columns over bands of wavelengths: straight lines between its rows, 0 beyond them.
+/// Integrals of a table's columns over wavelength bands; the columns are linear between rows and 0 beyond them.
 ///
 /// Given     table     with the column wavelength_nm, increasing
 ///           edges_nm  as in xyz_weights
 /// Returned  [column][band]
-/// Throws    Error     as xyz_weights; when there is no such column
+/// Throws    Error     as xyz_weights; when a column is missing
 algebra::Grid<double> band_integrals(const algebra::Table& table,
                                      std::span<const std::string> columns,
                                      std::span<const double> edges_nm);

@@ -8,11 +8,11 @@
 
 namespace coppermoon::colour {
 
-/// Circles on which many edges of a small picture lie, light falling outward: one for each of four tone
-/// curves, from one that shows the dimmest limb to one that shows only the brightest.
+/// Finds circles along which many edges in a small picture lie, with light falling outward. There is one for each of
+/// four tone curves, from one that shows the dimmest limb to one that shows only the brightest.
 ///
-/// Given     image  some hundred pixels a side, of any scale
-/// Returned  within 1.5 pixels, of 5 pixels' radius or more; in no order
+/// Given     image  a few hundred pixels a side, of any scale
+/// Returned  circles correct to 1.5 pixels, with radii of 5 pixels or more; in no particular order
 std::vector<Disc> likely_circles(const algebra::Grid<float>& image);
 
 }  // namespace coppermoon::colour

@@ -21,14 +21,14 @@ namespace {
 using algebra::Error;
 namespace fs = std::filesystem;
 
-/// Throws  Error  where there is something else than a regular file
+/// Throws  Error  if the path leads to anything but a regular file
 void require_regular(const fs::path& path) {
   std::error_code none;
   if (fs::exists(path, none) && !fs::is_regular_file(path, none))
     throw Error(fmt::format("{}: cannot be read: it is no regular file", path.string()));
 }
 
-/// Throws  Error  for an alias ("*name") too many; some within quoted text are counted too
+/// Throws  Error  for too many aliases ("*name"); some in quoted text are counted too
 void require_few_aliases(const fs::path& config) {
   constexpr std::ptrdiff_t most = 16;
   static const std::regex comment("\\s*#.*"), alias("(^|[\\s,:\\[{-])\\*[A-Za-z0-9]");
@@ -42,9 +42,9 @@ void require_few_aliases(const fs::path& config) {
         fmt::format("{}: {} aliases of YAML, allowed to {}", config.string(), aliases, most));
 }
 
-/// Throws  Error  for a look-up table in CTF that names another file
+/// Throws  Error  for a CTF look-up table that names another file
 void require_no_reference(const fs::path& table) {
-  constexpr std::size_t head = 16384;  // OpenColorIO looks for the mark of CTF in 5 kB
+  constexpr std::size_t head = 16384;  // OpenColorIO looks for CTF's mark in the first 5 kB
   std::ifstream file(table, std::ios::binary);
   std::string text(head, ' ');
   file.read(text.data(), head);
@@ -56,8 +56,8 @@ void require_no_reference(const fs::path& table) {
                             table.string()));
 }
 
-/// Walk over all that a configuration is made of: named things, with all that those name in turn. A thing's size is its
-/// count of transforms.
+/// Walks over everything that a configuration consists of: its named elements, and all that these refer to in turn. An
+/// element's size is its number of transforms.
 class Walk {
  public:
   explicit Walk(const ocio::Config& config) : config_(config) {}
@@ -100,7 +100,7 @@ class Walk {
     return sizes_[key] = size;
   }
 
-  /// Size of what leads both ways; 0 where there is no such thing.
+  /// Size of an element's transforms in both directions; 0 if there is no such element.
   template <class Named, class Direction>
   double both_ways(const char* kind, const Named& named, Direction there, Direction back) {
     if (!named) return 0;
@@ -155,10 +155,10 @@ class Walk {
     const fs::path path = config_.getCurrentContext()->resolveFileLocation(name);
     require_regular(path);
     require_no_reference(path);
-  } catch (const ocio::Exception&) {  // there is none: said where it is needed
+  } catch (const ocio::Exception&) {  // missing: reported when it is needed
   }
 
-  /// Looks in OpenColorIO's list of them, "a, +b : -c | d", with the spaces that they work in.
+  /// Size of the looks in a list such as OpenColorIO's "a, +b : -c | d", which also collects the spaces they work in.
   double looks_in(const std::string& looks, std::set<std::string>* spaces = nullptr) {
     static const std::regex name("[^,:|+\\-\\s](?:[^,:|]*[^,:|\\s])?");
     const auto list = resolved(looks);
@@ -174,8 +174,8 @@ class Walk {
     return sum;
   }
 
-  /// Size of the way from one space by looks to another, with the default view transform where scene-referred and
-  /// display-referred spaces meet.
+  /// Size of the conversion from one space through looks to another, including the default view transform if one space
+  /// is scene-referred and another display-referred.
   double between(const std::string& from, const std::string& to, const std::string& looks = {}) {
     std::set<std::string> spaces{from, to};
     const double sum = space(from) + space(to) + looks_in(looks, &spaces);

@@ -7,15 +7,15 @@
 
 namespace coppermoon::colour {
 
-/// Configuration in a file, which may be anybody's: refuses what ends OpenColorIO 2.1, or keeps it busy for ever.
+/// Reads a configuration from an untrusted file, refusing what would crash OpenColorIO 2.1 or keep it busy for ever.
 ///
-/// What a downloaded .ocio does without: a colour space, look, view or view transform that is made of itself fills the
-/// stack; thirty that are each made of two of the one before, twenty aliases of YAML that do so, a look-up table that is a
-/// pipe or /dev/zero, or a CTF that names one, are read for ever.
+/// Without this guard, a downloaded .ocio can do harm. A colour space, look, view or view transform that refers to
+/// itself overflows the stack. Reading never ends for thirty of them that each use the one before twice, for twenty
+/// YAML aliases that do so, or for a look-up table that is a pipe or /dev/zero, or a CTF that names one.
 ///
-/// Throws  Error            names the file, or the first thing that is made of itself, of more than 64 others one within
-///                          the other, or of more than 4096 transforms in all
-///         ocio::Exception  where OpenColorIO cannot read it
+/// Throws  Error            names the file, or the first element that refers to itself, is nested more than 64 deep, or
+///                          consists of more than 4096 transforms in all
+///         ocio::Exception  when OpenColorIO cannot read the file
 OCIO_NAMESPACE::ConstConfigRcPtr guarded_config(const std::filesystem::path& path);
 
 }  // namespace coppermoon::colour

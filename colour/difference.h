@@ -10,19 +10,19 @@ namespace coppermoon::colour {
 /// Colour in CIE 1976 L*a*b*, relative to D65.
 struct Lab {
   double L;     ///< lightness: 0 black, 100 white
-  double a, b;  ///< towards red, towards yellow; 0 for greys
+  double a, b;  ///< redness and yellowness; 0 for greys
 };
 
-/// L*a*b* from XYZ.
+/// Converts XYZ to L*a*b*.
 ///
 ///     L* = 116 f(Y) − 16,  a* = 500 (f(X/Xw) − f(Y)),  b* = 200 (f(Y) − f(Z/Zw))
 ///     f(t) = t^(1/3) above (6/29)³, else t/(3 (6/29)²) + 4/29
 ///
-/// Given   xyz  over the luminance of the white, which is D65: white has Y = 1
+/// Given   xyz  divided by the luminance of white (D65), so that white has Y = 1
 /// Source  CIE 15:2004 §8.2.1
 Lab lab_from_xyz(const glm::dvec3& xyz);
 
-/// L*a*b* of a pixel of a developed picture.
+/// L*a*b* of a pixel in a developed picture.
 ///
 /// Given   coded  sRGB, 0 to 1
 /// Throws  Error  when a channel is outside its range
@@ -34,7 +34,7 @@ Lab lab_from_srgb(const Rgb& coded);
 ///     ΔE = √(l² + c² + h² + R_T c h),   l = ΔL'/S_L, c = ΔC'/S_C, h = ΔH'/S_H
 ///
 /// Returned  0 for equal colours; about 1 is just noticeable side by side. Symmetric
-/// Accuracy  1e-4 from the 34 published pairs, which are printed to that
+/// Accuracy  1e-4 against the 34 published pairs, which are printed to that precision
 /// Omits     adaptation to darkness, neighbouring colours, size: it holds for samples in a lit room
 /// Source    Sharma, Wu & Dalal (2005), Color Res. Appl. 30, 21
 double delta_e_2000(const Lab& one, const Lab& other);

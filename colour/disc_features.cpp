@@ -13,14 +13,14 @@ namespace {
 
 using Values = algebra::Grid<float>;
 
-constexpr double beside = 1.12, margin = 1.3;  // of the disc's radius; the grids end at the latter
+constexpr double beside = 1.12, margin = 1.3;  // in radii of the disc; the grids end at the latter
 
 double away_from(double x_px, double y_px, std::size_t row, std::size_t column) {
   return std::hypot(static_cast<double>(column) + 0.5 - x_px,
                     static_cast<double>(row) + 0.5 - y_px);
 }
 
-/// Values in a ring, inner and outer radius in units of the disc's.
+/// Values in a ring, with its inner and outer radius relative to the disc's.
 std::vector<float> values_between(const Values& picture, const Disc& disc, double inner,
                                   double outer) {
   const double reach = outer * disc.radius_px;
@@ -39,7 +39,7 @@ std::vector<float> values_between(const Values& picture, const Disc& disc, doubl
   return values;
 }
 
-/// Box mean over 2 reach + 1 pixels of a line, 0 beyond its ends.
+/// Box mean over 2 reach + 1 pixels in a line, taken as 0 beyond its ends.
 void blur_line(std::span<float> line, std::size_t stride, std::size_t reach) {
   const std::size_t n = (line.size() + stride - 1) / stride;
   std::vector<double> sums(n + 1);
@@ -61,7 +61,7 @@ Values blurred(Values grid, std::size_t reach) {
   return grid;
 }
 
-/// 1 where a test holds, else 0.
+/// A grid that is 1 where a test holds, else 0.
 template <class PixelTest>
 Values where(const Values& like, const PixelTest& so) {
   Values grid(like.rows(), like.columns());
@@ -82,13 +82,13 @@ Values mean_nearby(const Values& light, const Values& counts, std::size_t reach)
   return mean;
 }
 
-/// Standard deviation of a sky pixel beside the disc, from the median difference of diagonal neighbours.
+/// Standard deviation of sky pixels beside the disc, from the median difference between diagonal neighbours.
 double noise_of(const Values& light, const Disc& disc) {
   Values rough(light.rows(), light.columns());
   for (std::size_t r = 1; r < light.rows(); ++r)
     for (std::size_t c = 1; c < light.columns(); ++c)
       rough(r, c) = std::abs(light(r, c) - light(r - 1, c - 1));
-  constexpr double sigma_of_median = 1.0484;  // of a difference's size
+  constexpr double sigma_of_median = 1.0484;  // from a difference's absolute value
   return sigma_of_median * double{quantile(values_between(rough, disc, beside, margin), 0.5)};
 }
 
@@ -96,10 +96,10 @@ float brightest_of(const Values& picture, const Disc& disc, double share) {
   return quantile(values_between(picture, disc, 0, 1), 1 - share);
 }
 
-/// Disc in the middle of a grid, sky subtracted.
+/// A disc in the middle of a grid, with the sky subtracted.
 struct Centred {
   Disc disc;
-  Values light, usable;  ///< usable: 1 where the picture reaches
+  Values light, usable;  ///< usable: 1 within the picture
   float too_bright;      ///< light of clipped pixels
 };
 
@@ -119,7 +119,7 @@ Centred centred(const Values& picture, const Disc& disc, const Similarity& to_gr
           cap - sky};
 }
 
-/// 1 at clipped pixels and beside them.
+/// A grid that is 1 at clipped pixels and their neighbours.
 Values clipped_in(const Centred& picture) {
   return blurred(where(picture.light,
                        [&](std::size_t r, std::size_t c) {
@@ -128,7 +128,7 @@ Values clipped_in(const Centred& picture) {
                  1);
 }
 
-/// Weight 0 beyond the picture; at a clipped limb, which blur moves outward; and where deeply clipped.
+/// Weights that are 0 beyond the picture, at a clipped limb (which blur moves outward), and at deeply clipped pixels.
 Values weights_of(const Centred& picture, bool deeply) {
   constexpr double inner = 0.92;  // of the radius
   const auto& disc = picture.disc;
@@ -140,7 +140,7 @@ Values weights_of(const Centred& picture, bool deeply) {
   });
 }
 
-/// Local mean of the disc's light; where deeply clipped, of what has weight.
+/// Local mean of the disc's light; if the disc is deeply clipped, of pixels with weight only.
 Values light_nearby(const Centred& picture, const Values& weights, bool deeply) {
   constexpr double edge = 0.97, reach = 0.25;  // of the radius
   const auto& disc = picture.disc;

@@ -32,7 +32,7 @@ bool knows_aces2() {
   return false;
 }
 
-/// Built-in configuration, parsed once: it caches the processors made from it.
+/// The built-in configuration, parsed only once, since it caches the processors made from it.
 ocio::ConstConfigRcPtr built_in_config() {
   static const auto config = [] {
     std::istringstream text{knows_aces2() ? config_text_of_aces2() : std::string(config_text())};
@@ -53,7 +53,7 @@ ocio::ConstConfigRcPtr config_at(const std::filesystem::path& path) try {
 
 constexpr const char *usual_view = "Hue-preserving", *view_of_others = "Un-tone-mapped";
 
-/// The one of that name: the same letters, else the same in another case.
+/// The allowed name that equals `name`, or else one that differs only in case.
 std::string one_of(std::string_view what, const std::string& name,
                    const std::vector<std::string>& allowed) {
   if (std::ranges::find(allowed, name) != allowed.end()) return name;
@@ -74,7 +74,7 @@ struct Bridge {
   std::string ours, theirs;
 };
 
-/// Common names of spaces, beside those that the built-in configuration has for them.
+/// Common names for spaces, in addition to those in the built-in configuration.
 const std::pair<std::string, std::vector<std::string>> common_names[] = {
     {"lin_rec709",
      {"Linear Rec.709", "Linear BT.709", "Linear sRGB", "Utility - Linear - sRGB",
@@ -83,7 +83,7 @@ const std::pair<std::string, std::vector<std::string>> common_names[] = {
     {"ACES2065-1", {"ACES - ACES2065-1"}},
     {"lin_ciexyzd65_scene", {}}};
 
-/// Names by which another configuration may know a space: aliases, then common names; of each `space`'s first.
+/// Names by which another configuration may know a space: aliases, then common names, those of `space` first in each.
 std::vector<Bridge> known_names(std::string_view space) {
   std::vector<Bridge> all, common;
   for (const bool own : {true, false})
@@ -99,8 +99,8 @@ std::vector<Bridge> known_names(std::string_view space) {
   return all;
 }
 
-/// Where a space of ours meets a configuration: what `developed` says. "Linear" comes last, for a configuration may call
-/// ACEScg so.
+/// The space in which one of ours meets a configuration, as described for `developed`. "Linear" comes last, because a
+/// configuration may use that name for ACEScg.
 Bridge bridge_to(const ocio::Config& config, const std::string& space) {
   const auto of_scene = [&](const std::string& name) {
     const auto found = config.getColorSpace(name.c_str());

@@ -39,15 +39,15 @@ void require_luminance(const Luminance& image) {
   });
 }
 
-/// Limb point on a radius.
+/// A point of the limb, found along a radius.
 struct LimbPlace {
   glm::dvec2 outward;
   double offset_px;  ///< outward from the circle tried
   double weight;     ///< in the fit
-  double seen;       ///< root of the step of light
+  double seen;       ///< square root of the step of light
 };
 
-/// Light along a radius, averaged over 2/3 degree of position angle; empty where it leaves the picture.
+/// Light along a radius, averaged over 2/3 degree of position angle; empty if the radius leaves the picture.
 std::vector<double> profile(const Luminance& image, const Disc& disc, double angle,
                             double half_width_px) {
   constexpr int steps = 32;
@@ -80,14 +80,14 @@ Spread spread_of(std::span<const double> values) {
   return {mean, std::sqrt(squares) / n};
 }
 
-/// Picture, and the light above which it is clipped.
+/// A picture, and the light above which it is clipped.
 struct Picture {
   const Luminance& image;
   double clipped;
 };
 
-/// Profile from the inner end of its brightest stretch on, where light is above three quarters of the brightest: a
-/// thin crescent ends there.
+/// The profile from the inner end of its brightest stretch (above three quarters of the maximum) outward; a thin
+/// crescent ends there.
 std::span<const double> ground_and_sky(std::span<const double> light) {
   constexpr double of_brightest = 0.75;
   const auto quarter = light.size() / 4;
@@ -99,7 +99,7 @@ std::span<const double> ground_and_sky(std::span<const double> light) {
   return light.subspan(static_cast<std::size_t>(begin - ground.begin()));
 }
 
-/// Step of light at the limb, placed where a sharp step has the same area under it.
+/// The step of light at the limb, placed so that a sharp step has the same area under it.
 std::optional<LimbPlace> limb_place(const Picture& picture, const Disc& disc, double angle,
                                     double half_width_px) {
   constexpr double clearly = 4, of_clipped = 0.3;
@@ -134,7 +134,7 @@ double residual(const LimbPlace& place, const glm::dvec3& shift) {
   return place.offset_px - glm::dot(place.outward, glm::dvec2(shift)) - shift.z;
 }
 
-/// Correction of a circle's x, y and radius: least squares with Tukey's biweight against outliers.
+/// Correction to a circle's x, y and radius, by least squares with Tukey's biweight against outliers.
 glm::dvec3 shift_onto(const std::vector<LimbPlace>& places) {
   glm::dvec3 shift(0);
   for (int pass = 0; pass < 12; ++pass) {
@@ -156,14 +156,14 @@ glm::dvec3 shift_onto(const std::vector<LimbPlace>& places) {
   return shift;
 }
 
-/// Circle, and the evidence that it is a limb.
+/// A circle, and the evidence that it is a limb.
 struct Found {
   Disc disc;
   double evidence;
 };
 
-/// Sum of the roots of the steps of light on a circle, times its radius; 0 when less than a quarter of the circle is
-/// limb, or more than a quarter of the steps lie beside it.
+/// Sum of the square roots of the steps of light on a circle, times its radius; 0 when less than a quarter of the
+/// circle is limb, or more than a quarter of the steps lie off the circle.
 double evidence_of(const std::vector<LimbPlace>& places, const Disc& disc) {
   const double near_px = std::max(0.7, 0.03 * disc.radius_px);
   int degrees = 0;
@@ -179,7 +179,7 @@ double evidence_of(const std::vector<LimbPlace>& places, const Disc& disc) {
   return degrees >= 85 && on_it >= 0.75 * all ? disc.radius_px * evidence : 0;
 }
 
-/// Circle fitted to the limb repeatedly, along ever narrower pieces of the radii.
+/// Fits the circle to the limb repeatedly, along ever shorter pieces of the radii.
 Found measured(const Picture& picture, Disc disc, double last_share) {
   std::vector<LimbPlace> places;
   for (const double wider : {1.6, 1.2, 1., 1., 1.}) {
@@ -194,9 +194,9 @@ Found measured(const Picture& picture, Disc disc, double last_share) {
   return {disc, evidence_of(places, disc)};
 }
 
-/// Unevenness of the sky beside a disc: its own steps of light and its excess over its darkest fifth, over the steps
-/// from disc to sky. Above a half for edges that go on beyond the circle (corner, horizon) or a steady slope; infinite
-/// for a disc without visible contrast.
+/// Unevenness of the sky beside a disc: the sky's own steps of light and its excess over its darkest fifth, relative to
+/// the steps from disc to sky. It is above a half for edges that continue beyond the circle (corner, horizon) or for a
+/// steady slope, and infinite for a disc without visible contrast.
 double unevenness(const Luminance& image, const Disc& disc) {
   constexpr double band = 0.1;
   const double wide_px = std::max(2., band * disc.radius_px);
@@ -232,7 +232,7 @@ double roundness(const Picture& picture, const Disc& disc) {
   return all > 0 ? on_it / all : 0;
 }
 
-/// Whether a disc is round and before an even sky.
+/// Whether a disc is round and stands before an even sky.
 bool stands_alone(const Picture& picture, const Disc& disc) {
   return unevenness(picture.image, disc) <= 0.5 && roundness(picture, disc) >= 0.75;
 }
@@ -243,7 +243,7 @@ bool alike(const Disc& a, const Disc& b) {
          std::abs(a.radius_px - b.radius_px) < near_px;
 }
 
-/// Circle of most evidence among the likely ones.
+/// The likely circle with the most evidence.
 Found found_in(const Luminance& image) {
   const Picture picture{image, 0.98 * *std::ranges::max_element(image.values())};
   std::vector<Disc> tried;
@@ -267,9 +267,9 @@ std::size_t reduction_of(std::size_t rows, std::size_t columns) {
   return (std::max(rows, columns) + longest_px - 1) / longest_px;
 }
 
-/// Best circle in a part of a picture, binned to 400 pixels, and further where noise hides the limb.
+/// The best circle in a part of a picture, binned to 400 pixels, and further if noise hides the limb.
 Found found_within(const Luminance& image, const PicturePart& part) {
-  constexpr double least_reduced_px = 20;  // a square's corners are seen
+  constexpr double least_reduced_px = 20;  // large enough to tell a square by its corners
   std::size_t by = reduction_of(part.rows, part.columns);
   for (int level = 0; level < 3; ++level, by *= 2) {
     if (std::min(part.rows, part.columns) < 16 * by) break;
@@ -283,7 +283,7 @@ Found found_within(const Luminance& image, const PicturePart& part) {
   return {{}, 0};
 }
 
-/// Surroundings of the brightest place, where a Moon may be that is small in the picture.
+/// Surroundings of the brightest place, where a Moon that is small in the picture may be.
 PicturePart about_the_brightest(const Luminance& image) {
   constexpr std::size_t mean_over = 4, reach = 8;
   const auto by = mean_over * reduction_of(image.rows(), image.columns());

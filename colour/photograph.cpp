@@ -26,7 +26,7 @@ constexpr double arcsec_rad = pi / 180 / 3600;
 /// Mean wavelengths of a working space's red, green and blue.
 constexpr std::array channels_nm{600., 545., 455.};
 
-/// Random numbers of algebra as a generator for the standard distributions.
+/// Adapts algebra's random numbers to a generator for the standard distributions.
 struct Bits {
   using result_type = std::uint64_t;
   algebra::Random random;
@@ -45,7 +45,7 @@ void require_finite(const Image& scene) {
               fmt::format("pixel {}, {} [cd/m2] = {}, allowed finite", c, r, value));
 }
 
-/// Picture blurred by glow, diffraction and seeing.
+/// Blurs a picture by glow, diffraction and seeing.
 Image spread(const Image& scene_linear, const Camera& camera, double pixel_rad) {
   auto scene = with_glow(scene_linear, camera.glow, pixel_rad);
   if (!camera.diffraction && camera.seeing_arcsec == 0) return scene;
@@ -65,7 +65,7 @@ Image spread(const Image& scene_linear, const Camera& camera, double pixel_rad) 
   return result;
 }
 
-/// A sensor as it is set: from a channel's balanced luminance to a raw number, and back.
+/// A sensor with its settings: converts a channel's balanced luminance to a raw number, and back.
 class Readout {
  public:
   Readout(const Camera& camera, const Shot& shot)
@@ -77,7 +77,7 @@ class Readout {
     pixels_ = shot.pixel_rad * shot.pixel_rad / (sensor_rad * sensor_rad);
   }
 
-  /// The mean of the sensor's pixels that a pixel stands for.
+  /// Mean raw number over the sensor's pixels that one pixel stands for.
   std::uint16_t raw(double luminance, double sensitivity, Bits& bits) const {
     const auto& sensor = camera_.sensor;
     const double well = pixels_ * sensor.full_well_e;
@@ -94,7 +94,7 @@ class Readout {
         std::clamp(std::round(sensor.black_level_dn + signal + added), 0., top_));
   }
 
-  /// A raw number over that of green's saturation, balanced, and no more than that of white.
+  /// Balanced ratio of a raw number to that at green's saturation, no more than that of white.
   double developed(std::uint16_t raw, double sensitivity) const {
     return std::min(1., (raw - camera_.sensor.black_level_dn) / (gain_.white_dn * sensitivity));
   }
@@ -105,7 +105,7 @@ class Readout {
   static double normal(Bits& bits) { return std::normal_distribution<double>()(bits); }
 
   static double set_free(double mean, Bits& bits) {
-    constexpr double many = 1e8;  // a normal distribution by then
+    constexpr double many = 1e8;  // the distribution is practically normal by then
     if (mean > many) return std::max(0., mean + std::sqrt(mean) * normal(bits));
     return static_cast<double>(std::poisson_distribution<std::int64_t>(mean)(bits));
   }
@@ -115,7 +115,7 @@ class Readout {
   double electrons_, top_, pixels_ = 1;
 };
 
-/// From a working space to a sensor's channels, and back.
+/// Matrices from a working space to a sensor's channels, and back.
 struct Colours {
   glm::dmat3 to_sensor, from_sensor;
   glm::dvec3 sensitivity;
@@ -127,7 +127,7 @@ Colours colours_of(const Camera& camera, WorkingSpace space) {
   const auto to_sensor = response.from_xyz * glm::inverse(working);
   if (camera.sensor.response != "luminance")
     return {to_sensor, glm::inverse(to_sensor), response.sensitivity};
-  // without colours: grey, by the mean of three channels that are one
+  // a sensor without colours gives grey, the mean of three equal channels
   const auto grey = white(space) / 3.;
   return {to_sensor, {grey, grey, grey}, response.sensitivity};
 }
@@ -161,7 +161,7 @@ Photograph photographed(const Image& scene_linear, WorkingSpace space, const Cam
       glm::dvec3 balanced;
       for (int k = 0; k < 3; ++k)
         balanced[k] = readout.developed(raw[static_cast<std::size_t>(k)], colours.sensitivity[k]);
-      constexpr double sound = 0.9;  // noise does not reach saturation from there
+      constexpr double sound = 0.9;  // low enough that noise does not reach saturation
       result.valid(r, c) = std::max({balanced.r, balanced.g, balanced.b}) < sound ? 1.F : 0.F;
       const glm::dvec3 scene = result.saturation_cd_m2 * (colours.from_sensor * balanced);
       for (int k = 0; k < 3; ++k)

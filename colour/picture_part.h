@@ -13,10 +13,10 @@ struct PicturePart {
   std::size_t left, top, columns, rows;
 };
 
-/// Square about a disc, clipped to a picture of that size.
+/// The square around a disc, clipped to a picture of the given size.
 PicturePart window_about(const Disc& disc, std::size_t rows, std::size_t columns);
 
-/// Part of a picture binned by a whole factor along both axes; leftover columns and rows are left out.
+/// Bins part of a picture by a whole factor along both axes, dropping leftover columns and rows.
 ///
 /// Given  by  1 or more
 algebra::Grid<float> reduced(const algebra::Grid<float>& picture, const PicturePart& part,

@@ -27,12 +27,12 @@ double from_first(std::size_t i, std::size_t length) {
   return static_cast<double>(std::min(i, length - i));
 }
 
-/// Width of a pixel in λ/D.
+/// A pixel's width in units of λ/D.
 double spreads_a_pixel(const Blur& blur, double pixel_rad) {
   return pixel_rad * blur.aperture.diameter_m / (blur.wavelength_nm * 1e-9);
 }
 
-/// Mean of the diffraction pattern over the pixel at an offset in pixels, sampled four times in λ/D where it is
+/// Mean of the diffraction pattern over the pixel at an offset in pixels, sampled four times per λ/D where it is
 /// steep.
 double over_a_pixel(const Blur& blur, double pixel_rad, double x, double y) {
   const double away = std::hypot(x, y), most = away < 2 ? 128 : away < 8 ? 16 : 1;
@@ -67,12 +67,12 @@ Spectrum diffraction_transfer(const Blur& blur, double pixel_rad, std::size_t ro
   return spread;
 }
 
-/// Least seeing that is applied: narrower spreads less than 1e-5 beyond a pixel.
+/// The least seeing that is applied. Narrower seeing spreads less than 1e-5 of the light beyond a pixel.
 constexpr double least_seeing_px = 1 / 32.;
 
-/// Transfer function of seeing sampled at pixels: the sum over all aliases of a frequency in cycles a pixel.
+/// Transfer function of seeing as sampled by pixels: the sum over all aliases of a frequency in cycles per pixel.
 ///
-/// The sum over the aliases alone is smooth in the squares of the frequency's components: it is interpolated by a
+/// The sum over the aliases alone is smooth in the squares of the frequency's components, so it is interpolated by a
 /// polynomial through Chebyshev nodes.
 ///
 /// Accuracy  1e-9
@@ -91,7 +91,7 @@ class SampledSeeing {
     whole_ = 1 + summed(along(counts(0)), counts(0));
   }
 
-  /// Weight of each node for a component of a frequency, -1/2 to 1/2.
+  /// Weight of each node for one component of a frequency, -1/2 to 1/2.
   Counts counts(double frequency) const {
     return algebra::on_polynomial<count>(squares_, frequency * frequency);
   }
@@ -114,7 +114,7 @@ class SampledSeeing {
   }
 
   static double of_others(double x, double y, double width_px) {
-    constexpr double last = 3;  // cycles in a width, of which 2e-10 is left
+    constexpr double last = 3;  // cycles per width; only 2e-10 is left there
     const int folds = static_cast<int>(std::ceil(last / width_px));
     double sum = 0;
     for (int i = -folds; i <= folds; ++i)
@@ -151,7 +151,7 @@ void multiply_by_seeing(Spectrum& spectrum, double width_px) {
   });
 }
 
-/// Index in the picture for one in the padded picture: the first half of the padding repeats the last row or
+/// Converts an index in the padded picture to one in the picture. The first half of the padding repeats the last row or
 /// column, the second half the first.
 std::size_t inside(std::size_t i, std::size_t length, std::size_t padded) {
   if (i < length) return i;
@@ -170,7 +170,7 @@ Spectrum padded(const algebra::Grid<double>& picture) {
   return all;
 }
 
-/// Picture without its padding; rounding of the transforms takes no value below the picture's least.
+/// The picture without its padding. Rounding in the transforms does not take a value below the picture's minimum.
 algebra::Grid<double> cut_out(const Spectrum& all, const algebra::Grid<double>& picture) {
   const double count = static_cast<double>(all.rows() * all.columns());
   const double least = *std::ranges::min_element(picture.values());
@@ -206,7 +206,7 @@ double seeing_transfer(double cycles_per_rad, double width_rad) {
 algebra::Grid<double> blurred(const algebra::Grid<double>& picture, const Blur& blur,
                               double pixel_rad) {
   require_sound(blur, pixel_rad);
-  constexpr double unseen = 32;  // spreads in a pixel
+  constexpr double unseen = 32;  // widths λ/D per pixel
   const bool diffracts = blur.wavelength_nm != 0 && spreads_a_pixel(blur, pixel_rad) < unseen;
   const double seeing_px = blur.seeing_rad / pixel_rad;
   const bool seethes = seeing_px >= least_seeing_px;

@@ -11,7 +11,7 @@ struct Aperture {
   double obstruction = 0;     ///< central obstruction, diameter over aperture: 0 to 0.9
 };
 
-/// Point-spread function of diffraction.
+/// Point-spread function due to diffraction.
 ///
 ///     p = π D² (1 − ε²) / 4λ² · [ (2 J₁(x)/x − ε² 2 J₁(εx)/εx) / (1 − ε²) ]²      x = π D θ / λ
 ///
@@ -24,26 +24,26 @@ double diffraction_spread_per_sr(const Aperture& aperture, double wavelength_nm,
 ///     exp(−3.44 (ν F / 0.976)^(5/3))      F: full width at half maximum of a star
 ///
 /// Given   cycles_per_rad  ν
-/// Omits   the fall of F with the fifth root of wavelength; the outer scale of turbulence
+/// Omits   that F falls with the fifth root of the wavelength; the outer scale of turbulence
 /// Source  Fried (1966), J. Opt. Soc. Am. 56, 1372, with r₀ = 0.976 λ/F
 double seeing_transfer(double cycles_per_rad, double width_rad);
 
 /// Blur of one channel: diffraction and seeing.
 struct Blur {
   Aperture aperture{};
-  double wavelength_nm = 550;  ///< of diffraction; 0: none
-  double seeing_rad = 0;       ///< full width at half maximum; 0: none
+  double wavelength_nm = 550;  ///< for diffraction; if 0, none
+  double seeing_rad = 0;       ///< full width at half maximum; if 0, none
 };
 
-/// Picture convolved with diffraction and seeing.
+/// Convolves a picture with diffraction and seeing.
 ///
 /// Given     picture    of square pixels; continued beyond its edge by its edge pixels
 ///           pixel_rad  angle across a pixel, above 0
-/// Returned  not below 0 where the picture is not; light is conserved, but for what crosses an edge
-/// Accuracy  1e-9 of the brightest pixel, of the transforms. Diffraction is averaged over a pixel,
+/// Returned  not below 0 if the picture is not; light is conserved, except what crosses an edge
+/// Accuracy  1e-9 of the brightest pixel, from the transforms. Diffraction is averaged over a pixel,
 ///           which widens it by 0.29 pixel (standard deviation)
-/// Omits     diffraction where a pixel is 32 λ/D or more across: some hundredth of a star's light; seeing of
-///           less than 1/32 pixel: 1e-5 of that light
+/// Omits     diffraction if a pixel is 32 λ/D or more across (about a hundredth of a star's light); seeing of
+///           less than 1/32 pixel (1e-5 of a star's light)
 /// Throws    Error  when the aperture, an angle or the wavelength is outside its range
 algebra::Grid<double> blurred(const algebra::Grid<double>& picture, const Blur& blur,
                               double pixel_rad);

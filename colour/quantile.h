@@ -7,7 +7,8 @@
 
 namespace coppermoon::colour {
 
-/// Value below which a share (0 to 1) of some values lies: the nearest below, not interpolated; 0 of none.
+/// Quantile of some values: a share (0 to 1) of them lies below it. Takes the nearest value below, without
+/// interpolation; 0 if there are no values.
 template <class Number>
 Number quantile(std::vector<Number> values, double share) {
   if (values.empty()) return 0;

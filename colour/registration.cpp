@@ -24,7 +24,7 @@ using std::numbers::pi;
 constexpr double within_limb = 0.92, beyond_limb = 1.2;             // of the disc's radius
 constexpr double least_correlation = 0.4, least_of_markings = 0.3;  // by chance up to 0.29
 
-/// Sums of a weighted correlation.
+/// Sums for a weighted correlation.
 struct Sums {
   double w = 0, x = 0, y = 0, xx = 0, yy = 0, xy = 0;
 
@@ -36,14 +36,14 @@ struct Sums {
     yy += weight * b * b;
     xy += weight * a * b;
   }
-  /// Correlation coefficient; 0 without variance.
+  /// Correlation coefficient; 0 if there is no variance.
   double correlation() const {
     const double spread = (w * xx - x * x) * (w * yy - y * y);
     return spread > 0 ? (w * xy - x * y) / std::sqrt(spread) : 0;
   }
 };
 
-/// Rotation, scale and shift between two discs of one size, each in the middle of its grid.
+/// Rotation, scale and shift between two discs of the same size, each in the middle of its grid.
 struct Pose {
   bool mirrored = false;
   std::array<double, 4> parts{};  ///< rotation [rad], logarithm of scale, shift [radii]
@@ -53,18 +53,18 @@ double middle_of(const DiscFeatures& features) {
   return 0.5 * static_cast<double>(features.contrast.columns());
 }
 
-/// Pixel of the photograph's disc.
+/// A pixel in the photograph's disc.
 struct Seen {
   glm::dvec2 at;        ///< column and row
   double away_squared;  ///< from the disc's middle
   double weight, contrast;
 };
 
-/// Features of both discs at one radius.
+/// Features of both discs, scaled to the same radius.
 struct Pair {
   DiscFeatures photo, render;
   double radius_px;
-  std::vector<Seen> seen = {};                                ///< with weight, within beyond_limb
+  std::vector<Seen> seen = {};                                ///< those with weight, to beyond_limb
   algebra::Grid<std::array<double, 2>> weight_contrast = {};  ///< of the render
   double last_column, last_row;                               ///< of the render
 
@@ -88,7 +88,7 @@ struct Pair {
       weight_contrast.values()[i] = {render.weight.values()[i], render.contrast.values()[i]};
   }
 
-  /// Weight and contrast of the render at a place, as between_pixels.
+  /// Weight and contrast of the render at a point, interpolated as by between_pixels.
   std::array<double, 2> rendered(const glm::dvec2& pixel) const {
     const double x = pixel.x - 0.5, y = pixel.y - 0.5;
     if (!(x >= 0 && y >= 0 && x < last_column && y < last_row))
@@ -118,8 +118,8 @@ Similarity similarity_of(const Pair& pair, const Pose& pose) {
   return similarity;
 }
 
-/// Calls `act` for each pixel of the photograph's disc within a share of the radius that the render shows too: with
-/// the square of the distance from the centre over that limit, the weight, and both contrasts.
+/// Calls `act` for each pixel of the photograph's disc that lies within a share of the radius and that the render shows
+/// too. Passes the square of its distance from the centre relative to that limit, the weight, and both contrasts.
 void for_all_shared(const Pair& pair, const Pose& pose, double out_to, const auto& act) {
   const auto back = inverse(similarity_of(pair, pose));
   const auto corner = moved(back, {0.5, 0.5}), across = moved(back, {1.5, 0.5}) - corner,
@@ -133,7 +133,7 @@ void for_all_shared(const Pair& pair, const Pose& pose, double out_to, const aut
   }
 }
 
-/// Correlation of the discs in a pose, within a share of their radius.
+/// Correlation of the discs for a given pose, within a share of their radius.
 double correlation(const Pair& pair, const Pose& pose, double out_to) {
   Sums sums;
   for_all_shared(pair, pose, out_to,
@@ -141,7 +141,8 @@ double correlation(const Pair& pair, const Pose& pose, double out_to) {
   return sums.correlation();
 }
 
-/// Correlation without the mean of each ring about the centre, since any bright ball darkens towards its limb.
+/// Correlation after subtracting the mean of each ring around the centre, since any bright ball darkens towards its
+/// limb.
 double correlation_of_markings(const Pair& pair, const Pose& pose) {
   constexpr std::size_t count = 24;
   std::array<Sums, count> rings;
@@ -159,7 +160,7 @@ double correlation_of_markings(const Pair& pair, const Pose& pose) {
   return all.correlation();
 }
 
-/// Disc in polar coordinates: a row for each ring, a column for each degree.
+/// A disc in polar coordinates, with a row for each ring and a column for each degree.
 struct Rings {
   Values contrast, weight;
 };
@@ -190,7 +191,7 @@ double correlation(const Rings& photo, const Rings& render, std::size_t turn, bo
   return sums.correlation();
 }
 
-/// Rotations at which the correlation of the rings peaks, the best first.
+/// Poses with the rotations at which the rings' correlation peaks, the best first.
 std::vector<Pose> likely_poses(const Pair& pair) {
   constexpr std::size_t some = 4;
   const auto photo = rings_of(pair.photo, pair.radius_px),
@@ -251,8 +252,8 @@ void climb(std::array<Corner, 5>& simplex, const std::function<double(const Part
   }
 }
 
-/// Pose of greatest correlation near a first guess, of its scale or of any: steps of `begin` at first, of `end_px` at
-/// last.
+/// The pose of greatest correlation near a first guess, with the guess's scale or with any. Steps shrink from `begin`
+/// to `end_px`.
 Pose refined(const Pair& pair, Pose pose, bool of_its_scale, double begin, double end_px) {
   constexpr std::size_t growth = 1;
   const auto height = [&](const Parts& parts) {
@@ -276,8 +277,8 @@ Pose refined(const Pair& pair, Pose pose, bool of_its_scale, double begin, doubl
   return pose;
 }
 
-/// Pose with the rotation at which markings correlate best, within 1.5 degrees of its own. The limb knows no rotation, yet
-/// its blur favours poses whose pixels fall between those of the photograph.
+/// A pose with the rotation at which markings correlate best, within 1.5 degrees of its own. The limb does not depend
+/// on rotation, yet its blur favours poses whose pixels fall between those of the photograph.
 Pose turned(const Pair& pair, Pose pose) {
   for (const double step : {0.5 * pi / 180, 0.1 * pi / 180}) {
     const auto before = pose;
@@ -292,7 +293,7 @@ Pose turned(const Pair& pair, Pose pose) {
   return pose;
 }
 
-/// Moon with some sky about it, binned while its features stay resolved.
+/// The Moon with some sky around it, binned as far as its features stay resolved.
 struct CloseUp {
   Values picture;
   Disc disc;
@@ -306,7 +307,7 @@ Disc disc_in(const Values& picture, const char* name) {
 }
 
 CloseUp close_up(const Values& picture, const Disc& disc) {
-  constexpr double margin = 1.4, enough_px = 640;  // radii; four times that of the finest features
+  constexpr double margin = 1.4, enough_px = 640;  // radii; four times what fine features need
   const double by = std::max(1., std::floor(disc.radius_px / enough_px));
   const auto part = window_about({disc.x_px, disc.y_px, margin * disc.radius_px}, picture.rows(),
                                  picture.columns());
@@ -316,7 +317,7 @@ CloseUp close_up(const Values& picture, const Disc& disc) {
           {by, 0, left, top}};
 }
 
-/// Both discs. Features are taken at one radius, those of the render within the photograph's tonal range.
+/// Both discs. Their features are taken at the same radius, those of the render within the photograph's tonal range.
 struct Discs {
   CloseUp photo, render;
   double clipped;  ///< saturated share of the photograph's disc

@@ -12,7 +12,7 @@
 namespace coppermoon::colour {
 namespace {
 
-/// The same without the shift.
+/// Rotates, scales and mirrors a vector by a similarity, without the shift.
 glm::dvec2 turned(const Similarity& by, const glm::dvec2& v) {
   const double c = by.scale * std::cos(by.rotation_rad), s = by.scale * std::sin(by.rotation_rad);
   const double x = by.mirrored ? -v.x : v.x;
@@ -49,7 +49,7 @@ double between_pixels(const algebra::Grid<float>& image, const glm::dvec2& pixel
 
 namespace {
 
-/// Overlap of two unit triangles, each smoothed by another, ∫ (Λ∗Λ)(x) (Λ∗Λ)(x + apart) dx: the B-spline of order 8.
+/// Overlap of two unit triangles, each smoothed by another: ∫ (Λ∗Λ)(x) (Λ∗Λ)(x + apart) dx, the B-spline of order 8.
 double overlap(double apart) {
   constexpr std::array binomials{1., -8., 28., -56., 70., -56., 28., -8., 1.};
   constexpr double factorial = 5040;
@@ -106,10 +106,10 @@ double noise_of_means(double scale) {
   algebra::require_within("scale of a picture", scale, 1e-4, 1e4);
   constexpr double pair = 2;
   const double points = std::ceil(scale - 1e-9), step = scale / points;
-  // ∫ h(x) h(x + apart) dx of the weights h along one side
+  // ∫ h(x) h(x + apart) dx for the weights h along one side
   const auto overlap_of_pixels = [&](double apart) {
     double sum = points * overlap(apart);
-    for (double k = 1; k < points; ++k)  // pairs of points so many steps apart
+    for (double k = 1; k < points; ++k)  // pairs of points k steps apart
       sum += (points - k) * (overlap(k * step + apart) + overlap(k * step - apart));
     return sum / points / points;
   };

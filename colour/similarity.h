@@ -8,7 +8,7 @@
 
 namespace coppermoon::colour {
 
-/// How one picture lies in another: turned, made larger or smaller, moved, perhaps mirrored.
+/// How one picture lies in another: rotated, scaled, shifted and perhaps mirrored.
 ///
 ///     X = scale (c m x − s y) + x_px,  Y = scale (s m x + c y) + y_px
 ///
@@ -16,31 +16,31 @@ namespace coppermoon::colour {
 /// corner, y down, the first pixel's centre at (0.5, 0.5); so positive rotations are clockwise.
 struct Similarity {
   double scale = 1, rotation_rad = 0;
-  double x_px = 0, y_px = 0;  ///< where the upper left corner comes to lie
-  bool mirrored = false;      ///< left and right exchanged before all else
+  double x_px = 0, y_px = 0;  ///< where the upper left corner goes
+  bool mirrored = false;      ///< whether left and right are swapped, before all else
 };
 
-/// Where a place of the one picture lies in the other.
+/// Where a point in the first picture lies in the other.
 glm::dvec2 moved(const Similarity& similarity, const glm::dvec2& pixel);
 
-/// The way back.
+/// The inverse similarity.
 ///
-/// Given  similarity  of a scale other than 0
+/// Given  similarity  its scale not 0
 Similarity inverse(const Similarity& similarity);
 
-/// One after the other, as one.
+/// Two similarities, one after the other, combined into one.
 Similarity composed(const Similarity& first, const Similarity& second);
 
-/// A picture as it lies in another: bilinear between pixel centres, the mean over each pixel where
-/// it becomes smaller.
+/// A picture as it lies in another: interpolated bilinearly between pixel centres, or averaged over each
+/// pixel when it is scaled down.
 class Resampled {
  public:
-  /// Given   image       it must outlive this
+  /// Given   image       must outlive this object
   ///         similarity  from the image to the other picture; scale above 0
   /// Throws  Error       when the scale is not 1e-4 to 1e4
   Resampled(const algebra::Grid<float>& image, const Similarity& similarity);
 
-  /// A pixel of the other picture; 0 where the image does not reach.
+  /// A pixel in the other picture; 0 if the image does not reach it.
   float at(std::size_t row, std::size_t column) const;
 
  private:
@@ -49,25 +49,25 @@ class Resampled {
   int side_;  ///< samples across a pixel
 };
 
-/// All of the other picture.
+/// Resamples an image over the whole of the other picture.
 ///
-/// Returned  rows × columns. What a grid of ones becomes is the share of each pixel that it reaches
+/// Returned  rows × columns. A grid of ones becomes the share of each pixel that it covers
 /// Throws    Error  as Resampled
 algebra::Grid<float> resampled(const algebra::Grid<float>& image, const Similarity& similarity,
                                std::size_t rows, std::size_t columns);
 
-/// Noise of a mean over many pixels of a picture that was resampled: its variance times their number, over that of a
-/// pixel, which is half the mean square difference of pixels two apart in a row.
+/// Noise in a mean over many pixels of a resampled picture: the mean's variance times the number of pixels, divided by
+/// the variance of one pixel, which is half the mean square difference between pixels two apart in a row.
 ///
-/// The image's own noise is taken as that of values interpolated, bilinear, between a sensor's pixels: those of one
-/// colour, or of an image that was turned. Where it is independent, this is up to twice too large.
+/// The image's own noise is assumed to come from bilinear interpolation between a sensor's pixels, either those of one
+/// colour or in a rotated image. If the image's pixels are independent instead, the result is up to twice too large.
 ///
-/// Given     scale  pixels of the image along one of the other picture, 1e-4 to 1e4
-/// Accuracy  6 % for scales of 1 or more, averaged over where pixels fall; also of a picture that is turned
+/// Given     scale  number of the image's pixels along one pixel of the other picture, 1e-4 to 1e4
+/// Accuracy  6 % for scales of 1 or more, averaged over where pixels fall; also for a rotated picture
 /// Throws    Error  when the scale is out of range
 double noise_of_means(double scale);
 
-/// The image's value at a place, bilinear between pixel centres; 0 outside.
+/// The image's value at a point, interpolated bilinearly between pixel centres; 0 outside.
 double between_pixels(const algebra::Grid<float>& image, const glm::dvec2& pixel);
 
 }  // namespace coppermoon::colour

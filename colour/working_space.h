@@ -19,7 +19,7 @@ enum class WorkingSpace { linear_rec709, acescg, ciexyz_d65 };
 /// Name of a space in file names and in config.ocio: lin_rec709, acescg, lin_ciexyzd65_scene.
 std::string_view name(WorkingSpace space);
 
-/// Identifier of a space in files, `colorInteropID` of OpenEXR: lin_rec709_scene, lin_ap1_scene, lin_ciexyzd65_scene.
+/// Identifier of a space in files (OpenEXR's `colorInteropID`): lin_rec709_scene, lin_ap1_scene, lin_ciexyzd65_scene.
 ///
 /// Source  ASWF Color Interop Forum, Color Space Encodings for Texture Assets and CG Rendering 1.1.0 (July 2026)
 std::string_view interop_id(WorkingSpace space);
@@ -27,21 +27,21 @@ std::string_view interop_id(WorkingSpace space);
 /// All names of a space, `name` first.
 std::span<const std::string_view> aliases(WorkingSpace space);
 
-/// Space of a name or alias, in any case of letters.
+/// The space with a given name or alias, matched without regard to case.
 ///
-/// Throws  Error  for another name: lists the three spaces
+/// Throws  Error  for any other name, listing the three spaces
 WorkingSpace working_space(std::string_view name_or_alias);
 
-/// Space named within a file's name, in any case of letters: "moon_acescg.0001.exr".
+/// The space that a file's name contains, without regard to case, as in "moon_acescg.0001.exr"; nothing if none.
 std::optional<WorkingSpace> space_in_name(std::string_view file_name);
 
-/// Whether a file's name names a colour space other than these, as "moon_aces.exr" does.
+/// Whether a file's name contains the name of a different colour space, as "moon_aces.exr" does.
 bool names_another_space(std::string_view file_name);
 
-/// Matrix from absolute XYZ (of a D65 scene) to the channels of a space; white of luminance Y has R = G = B = Y.
+/// Matrix from absolute XYZ (for a D65 scene) to the channels of a space; white of luminance Y has R = G = B = Y.
 ///
-/// Rec.709 shares the white of the scene; ACEScg's white is D60-like, so colours are adapted by
-/// Bradford's cone responses. Derived in double from the primaries.
+/// Rec.709 shares the scene's white. ACEScg's white is close to D60, so colours are adapted by
+/// Bradford's cone responses. Derived from the primaries in double precision.
 ///
 /// Source  ITU-R BT.709; SMPTE ST 2065-1 and S-2014-004 (ACEScg); Lam (1985), as in ICC.1 annex E
 glm::dmat3 channels_from_xyz(WorkingSpace space);
@@ -49,33 +49,33 @@ glm::dmat3 channels_from_xyz(WorkingSpace space);
 /// Weights from band means of spectral radiance to the channels of a space.
 ///
 /// Given     edges_nm  as in xyz_weights
-///           response  a camera whose filters see the light and whose matrix makes colours of it, as in
-///                     camera_spectra; any that is_spectral denies: the CIE 1931 observer
+///           response  a camera, as in camera_spectra, whose filters see the light and whose matrix turns it into
+///                     colours; any that is not spectral (is_spectral) means the CIE 1931 observer
 /// Returned  weights   [channel][band], cd/m² per W m⁻² sr⁻¹ nm⁻¹
 /// Throws    Error     as xyz_weights, camera_spectra
 algebra::Grid<double> channel_weights(WorkingSpace space, std::span<const double> edges_nm,
                                       const std::string& response = {});
 
-/// x, y of red, green, blue, white: the `chromaticities` attribute of an OpenEXR file. For XYZ: its axes, and
+/// x and y of red, green, blue and white, as in an OpenEXR file's `chromaticities` attribute. For XYZ: its axes and
 /// the equal-energy white (1, 1, 1).
 std::array<float, 8> chromaticities(WorkingSpace space);
 
-/// Luminance of a colour, Y [cd/m²].
+/// Luminance Y of a colour [cd/m²].
 ///
 /// Given  channels  three
 double luminance(WorkingSpace space, std::span<const double> channels);
 
-/// Brightest of red, green and blue, whichever space a colour is in: the first of Rec.709's channels to clip [cd/m²].
+/// The largest of a colour's Rec.709 channels, whichever space the colour is in: the first to clip [cd/m²].
 ///
 /// Given  channels  three
 double brightest_channel(WorkingSpace space, std::span<const double> channels);
 
-/// D65 of luminance 1 in the channels of a space.
+/// D65 white of luminance 1, in the channels of a space.
 glm::dvec3 white(WorkingSpace space);
 
-/// Desaturates a colour with a negative channel towards the grey of its luminance, until none is negative.
+/// Desaturates a colour with a negative channel towards grey of the same luminance, until no channel is negative.
 ///
-/// Deep reds and blue-greens lie outside Rec.709: they become paler at the same luminance. Colours inside stay.
+/// Deep reds and blue-greens outside Rec.709 become paler at the same luminance. Colours within it stay as they are.
 ///
 /// Given   channels  three, changed in place
 /// Throws  Error     when a channel is not finite, or the luminance is negative

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using algebra::Error;
 
-/// Parser of POV-Ray's messages: counts of frames and pixels, and errors.
+/// Parses POV-Ray's messages, which report frames, pixels and errors.
 struct Conversation {
   const Run& run;
   std::string line{}, last_line{}, complaint{};
@@ -44,7 +44,7 @@ struct Conversation {
     }
     line.clear();
   }
-  /// Collects lines from the first error on; POV-Ray folds long lines before a space.
+  /// Collects the lines from the first error on. POV-Ray folds long lines before a space.
   void heed() {
     const bool begun = !complaint.empty();
     if (!begun && line.find("rror") == std::string::npos) return;
@@ -54,7 +54,7 @@ struct Conversation {
   const std::string& last_words() const { return complaint.empty() ? last_line : complaint; }
 };
 
-/// Arguments for a window. An edge at 0 is left out, since POV-Ray takes numbers up to 1 for shares of the picture.
+/// POV-Ray's arguments for a window. Edges at 0 are left out, since it reads numbers up to 1 as shares of the picture.
 std::vector<std::string> words_for(const RenderWindow& window) {
   algebra::require_within("width of the window [pixels]",
                           static_cast<double>(window.right) - static_cast<double>(window.left), 2,
@@ -112,7 +112,7 @@ void run_povray(const RenderSettings& settings, const Draft& draft, const Run& r
   algebra::require_within("threads", settings.threads, 0, 512);
   algebra::require_within("timeout [s]", settings.timeout_s, 0, 1e7);
   std::vector<std::string> environment;
-  if (!run.with_users_settings)  // ours stand in their place
+  if (!run.with_users_settings)  // our settings replace the user's
     environment.push_back(std::string("POVINI=") + settings_file);
   Conversation heard{run};
   const bool well = files::run_heard({command(settings, run), "povray", draft.folder, environment},

@@ -11,56 +11,56 @@
 
 namespace coppermoon::povray_scenes {
 
-/// Pixels of a picture: columns left to right - 1, rows top to bottom - 1.
+/// Part of a picture: the columns from left to right - 1 and the rows from top to bottom - 1.
 struct RenderWindow {
   std::size_t left, top, right, bottom;
 };
 
-/// Settings of a run of POV-Ray.
+/// Settings for a run of POV-Ray.
 struct RenderSettings {
-  int threads = 0;                ///< 0: as many as there are processors; at most 512
-  double timeout_s = 0;           ///< POV-Ray is stopped after that long; 0: never
+  int threads = 0;                ///< 0 for one per processor; at most 512
+  double timeout_s = 0;           ///< POV-Ray is stopped after this long; 0: never
   std::string povray = "povray";  ///< a program on the PATH, or an absolute path
-  /// Part of the picture that is rendered, at least two pixels wide and high; all else is black.
+  /// The part of the picture that is rendered, at least two pixels wide and high; the rest is black.
   std::optional<RenderWindow> window = {};
 };
 
 /// Runs `povray eclipse.ini` in a scene's folder.
 ///
-/// Given     folder    as write_scene left it, with its texture; may hold spaces and any letters
-///           progress  called with the fraction of the pixels rendered; 1 when the frame is there
+/// Given     folder    as write_scene left it, with its texture; the path may have spaces and any letters
+///           progress  called with the fraction of pixels rendered, and with 1 when the frame is there
 /// Returned  the path of frame.exr, scene-linear half floats; it appears whole or not at all.
-///           POV-Ray does not outlive the calling thread, not even one that is killed
+///           POV-Ray does not outlive the calling thread, even if that is killed
 /// Accuracy  the same bits on any number of threads, and in any window
-/// Throws    Error  when there is no scene, no POV-Ray, or it fails (with its own last words) or
-///                  takes longer than allowed; an earlier frame.exr is then left as it was
+/// Throws    Error  if there is no scene or no POV-Ray, or if POV-Ray fails (with its last messages) or takes
+///                  longer than allowed; an earlier frame.exr is then left as it was
 std::filesystem::path render(const std::filesystem::path& folder,
                              const RenderSettings& settings = {},
                              const algebra::Progress& progress = {});
 
-/// Renders a frame that is read at once, and only once. POV-Ray is ended when it has closed the file, which saves the
-/// third of a second that it sleeps before its own end.
+/// Renders a frame that is read at once, and only once. POV-Ray is ended as soon as it has closed the file, which saves
+/// the third of a second that it sleeps before it exits.
 ///
-/// Given   read  reads the whole file, and throws where it is not whole, as on a full disk; the file is then gone
-/// Throws  Error  as render; also what `read` throws
+/// Given   read  reads the whole file, and throws if it is incomplete, as on a full disk; the file is gone afterwards
+/// Throws  Error  like render; also whatever `read` throws
 void render_for(const std::function<void(const std::filesystem::path& exr)>& read,
                 const std::filesystem::path& folder, const RenderSettings& settings = {},
                 const algebra::Progress& progress = {});
 
-/// Frame of a film whose scene somebody wrote.
+/// A frame of a film whose scene the user has written.
 struct OwnScene {
-  std::filesystem::path file;      ///< that POV-Ray reads; what it names may stand beside it
+  std::filesystem::path file;      ///< read by POV-Ray; files it names may be beside it
   std::size_t width, height;       ///< [pixels]
-  std::size_t frame, first, last;  ///< its number, and those of the film's first and last frame
+  std::size_t frame, first, last;  ///< numbers of this frame, the first and the last
 };
 
-/// Renders one frame, anti-aliased as write_scene's, as a part of POV-Ray's animation: `frame_number` is its number, `clock`
-/// goes from 0 in the film's first frame to 1 in its last.
+/// Renders one frame as part of a POV-Ray animation, anti-aliased as in write_scene. In the scene, `frame_number` is
+/// the frame's number, and `clock` goes from 0 in the film's first frame to 1 in its last.
 ///
-/// Given     folder  new for this frame; POV-Ray looks there for what the scene names, then beside the scene, then where
-///                   the user's povray.ini says
+/// Given     folder  new for this frame; POV-Ray looks for the files that the scene names first there, then beside the
+///                   scene, then where the user's povray.ini says
 /// Returned  the path of frame.exr, scene-linear
-/// Throws    Error   as render; POV-Ray's words call the file scene.pov, its folder scene_folder
+/// Throws    Error   like render; POV-Ray's messages call the scene's file scene.pov and its folder scene_folder
 std::filesystem::path render_own(const std::filesystem::path& folder, const OwnScene& scene,
                                  const RenderSettings& settings = {});
 

@@ -35,7 +35,7 @@ void require_texture_name(const std::string& name) {
 std::string pov_numbers(const glm::dvec3& v) { return fmt::format("{}, {}, {}", v.x, v.z, v.y); }
 std::string left_handed(const glm::dvec3& v) { return fmt::format("<{}>", pov_numbers(v)); }
 
-/// The matrix is symmetric: its rows are its columns.
+/// The flattening as POV-Ray's matrix. Since it is symmetric, rows and columns are the same.
 std::string squash(const SceneCamera& camera) {
   if (camera.flattening == 1) return {};
   const auto m = flattened_by_air(camera);
@@ -43,7 +43,7 @@ std::string squash(const SceneCamera& camera) {
                      m[2].y, m[1].x, m[1].z, m[1].y);
 }
 
-/// Spheres of all lights, for POV-Ray.
+/// POV-Ray's spheres for all lights.
 std::string spheres_text(const MoonScene& scene) {
   std::string text;
   for (const auto& [centre, radius, luminance] : light_spheres(scene))
@@ -54,7 +54,8 @@ std::string spheres_text(const MoonScene& scene) {
   return text;
 }
 
-/// Pane with the air's light. Texels are interpolated between their middles, so it reaches half a step beyond the frame.
+/// The pane that carries the air's light. It extends half a step beyond the frame, since texels are interpolated
+/// between their centres.
 std::string pane_text(const MoonScene& scene) {
   if (!scene.air) return {};
   const auto& [image, columns, rows, step] = *scene.air;
@@ -89,7 +90,7 @@ glm::dvec3 middle(const SceneCamera& camera) {
 std::vector<LightSphere> light_spheres(const MoonScene& scene) {
   constexpr double pi = std::numbers::pi, most_luminance = 3e4;  // a half float ends at 65504
   const auto& camera = scene.camera;
-  // as near behind the Moon as can be: POV-Ray bounds nothing from 1e6
+  // as close behind the Moon as possible: beyond 1e6 POV-Ray no longer bounds objects
   const double away = 2 * glm::length(camera.position);
   const double pixel =
       2 * std::tan(in_radians(camera.horizontal_field) / 2) / static_cast<double>(camera.width);

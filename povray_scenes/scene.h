@@ -12,53 +12,52 @@
 
 namespace coppermoon::povray_scenes {
 
-/// Names of files in a scene's folder, beside the texture.
+/// Names of the files in a scene's folder, beside the texture.
 inline constexpr const char* scene_file = "eclipse.pov";
 inline constexpr const char* settings_file = "eclipse.ini";
 inline constexpr const char* frame_file = "frame.exr";
 
-/// Star or planet before a camera.
+/// A star or planet in front of a camera.
 struct SkyLight {
   glm::dvec3 direction;                   ///< unit, Moon-fixed axes
   std::array<double, 3> illuminance_lux;  ///< linear Rec.709, on a surface that faces it
-  double radius_rad = 0;                  ///< of a planet's disc
+  double radius_rad = 0;                  ///< radius of a planet's disc
 };
 
-/// Air that shines before the Moon and the stars: an .exr in the scene's folder whose texel in column c and row r shows the
-/// air before the frame's pixel (c step, r step), linear between texels.
+/// Air that shines in front of the Moon and the stars, as an .exr in the scene's folder. Its texel in column c and row
+/// r shows the air in front of the frame's pixel (c step, r step), with linear interpolation between texels.
 struct AirBefore {
   std::string image;
   std::size_t columns = 2, rows = 2, step = 1;
 };
 
-/// Textured Moon, with the radius 1, before a black sky. The texture is emission: the frame has its unit (cd/m²) and primaries,
-/// scene-linear.
+/// A textured Moon with radius 1 before a black sky. The texture is emission, so the frame has the texture's unit
+/// (cd/m²) and primaries, scene-linear.
 struct MoonScene {
   SceneCamera camera;
   std::string texture;  ///< an .exr in the scene's folder: a plain ASCII file name
-  /// Lights behind the Moon: emitting spheres with the radius of a pixel, or of the planet where that is larger. Of
-  /// two closer than that one hides the other.
+  /// Lights behind the Moon: emitting spheres with the radius of a pixel, or of the planet if larger. If two are
+  /// closer than that, one hides the other.
   std::vector<SkyLight> lights = {};
-  std::optional<AirBefore> air = {};  ///< for POV-Ray alone
-  bool alpha = false;  ///< the frame has a channel A: the share of each pixel that the Moon covers
+  std::optional<AirBefore> air = {};  ///< for POV-Ray only
+  bool alpha = false;  ///< adds a channel A: the share of each pixel that the Moon covers
 };
 
-/// Text of the scene for POV-Ray, without includes.
+/// The text of the scene for POV-Ray, without include files.
 ///
-/// Frames: the Moon-fixed X, Y, Z are POV-Ray's x, z, y, since its axes are left-handed.
+/// The Moon-fixed X, Y, Z are POV-Ray's x, z, y, since its axes are left-handed.
 /// The camera's flattening compresses the textured sphere in the frame; the texture is left alone.
-/// The air is a pane near the camera, which takes 0.1 % of the light behind it.
+/// The air is a pane near the camera that absorbs 0.1 % of the light behind it.
 /// Accuracy  POV-Ray reads the texture and writes the frame as half floats: 5e-4 relative above
 ///           6.1e-5, 3e-8 below; infinite above 65504
-/// Throws    Error  when the camera is not sound, or the texture's name is not plain, not ASCII or not .exr
+/// Throws    Error  if the camera is not sound, or the texture's name is not plain ASCII that ends in .exr
 std::string to_pov(const MoonScene& scene);
 
-/// Text of POV-Ray's settings: size, file names and anti-aliasing that also works in the dark (the
-/// threshold is 0, since POV-Ray compares absolute values; a gamma of 1 spares it powers that do not count
-/// then) and repeats exactly (no jitter).
-/// No range of frames: POV-Ray's clock is not a number in a range of one.
+/// The text of POV-Ray's settings: size, file names and anti-aliasing. The anti-aliasing works in the dark too: its
+/// threshold is 0, since POV-Ray compares absolute values, and its gamma is 1, which saves useless powers. Without
+/// jitter it repeats exactly. There is no range of frames, since POV-Ray's clock is NaN in a range of one frame.
 ///
-/// Throws  Error  as to_pov
+/// Throws  Error  like to_pov
 std::string to_ini(const MoonScene& scene);
 
 /// Refuses a folder whose eclipse.pov or eclipse.ini is a link, or was changed since the program wrote it. A folder
@@ -68,10 +67,10 @@ std::string to_ini(const MoonScene& scene);
 void require_scene_place(const std::filesystem::path& folder);
 
 /// Writes eclipse.pov and eclipse.ini, each whole or not at all; with the texture put beside them, `povray eclipse.ini`
-/// in that folder makes frame.exr. The last line of each is a fingerprint, by which later changes are recognised.
+/// in that folder makes frame.exr. The last line of each is a fingerprint that reveals later changes.
 ///
-/// Given   folder  made when only its last part is missing
-/// Throws  Error   as to_pov, before anything is written; or when the folder or a file cannot be made
+/// Given   folder  created if only its last part is missing
+/// Throws  Error   like to_pov, before anything is written; or if the folder or a file cannot be made
 void write_scene(const std::filesystem::path& folder, const MoonScene& scene);
 
 }  // namespace coppermoon::povray_scenes

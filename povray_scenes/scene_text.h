@@ -11,17 +11,17 @@
 
 namespace coppermoon::povray_scenes {
 
-/// Place and direction of a frame's camera as POV-Ray's numbers.
+/// Place and direction of a frame's camera, as text for POV-Ray.
 struct CameraText {
   std::string location, sky, look_at;  ///< vectors
-  std::string squash;                  ///< a matrix's nine numbers; empty: the disc is round
+  std::string squash;                  ///< nine numbers of a matrix; empty if the disc is round
 };
 CameraText camera_text(const SceneCamera& camera);
 
-/// Point that the middle of a picture shows, Moon-fixed, in lunar radii.
+/// The point shown in the middle of the picture, Moon-fixed, in lunar radii.
 glm::dvec3 middle(const SceneCamera& camera);
 
-/// Emitting sphere that gives a light's illuminance at the camera.
+/// An emitting sphere that yields a light's illuminance at the camera.
 struct LightSphere {
   glm::dvec3 centre;                      ///< Moon-fixed, in the scene's units
   double radius;                          ///< in the scene's units
@@ -29,7 +29,7 @@ struct LightSphere {
 };
 std::vector<LightSphere> light_spheres(const MoonScene& scene);
 
-/// Parts of eclipse.pov in which a single scene and a sequence differ.
+/// The parts of eclipse.pov that differ between a single scene and a sequence.
 struct PovText {
   std::string declarations;            ///< before the camera: whole lines
   std::string location, sky, look_at;  ///< POV-Ray expressions of the camera's vectors
@@ -38,25 +38,25 @@ struct PovText {
   std::string lights = {};             ///< whole lines at the end
 };
 
-/// Text of eclipse.pov.
+/// The text of eclipse.pov.
 std::string pov_text(const MoonScene& scene, const PovText& text);
 
-/// Text of eclipse.ini.
+/// The text of eclipse.ini.
 ///
 /// Given  output     name of the frame's file
 ///        animation  whole lines at the end
 std::string ini_text(const MoonScene& scene, const std::string& output,
                      const std::string& animation);
 
-/// Throws  Error  as to_pov of a single scene
+/// Throws  Error  like to_pov for a single scene
 void require_renderable(const MoonScene& scene);
 
-/// Makes a folder whose last part alone is missing.
+/// Creates a folder if only the last part of its path is missing.
 ///
 /// Throws  Error
 void require_folder(const std::filesystem::path& folder);
 
-/// Writes both files into a folder, made when only its last part is missing.
+/// Writes both files into a folder, which is created if only its last part is missing.
 void write_texts(const std::filesystem::path& folder, const std::string& pov,
                  const std::string& ini);
 

@@ -12,43 +12,43 @@
 
 namespace coppermoon::povray_scenes {
 
-/// Name of a sequence's frames, before their number.
+/// The part of a frame's file name before its number.
 inline constexpr const char* frame_stem = "frame";
 
-/// Moon in as many frames as there are cameras, a texture for each.
+/// The Moon in as many frames as there are cameras, with one texture for each.
 struct Sequence {
   std::vector<SceneCamera> cameras;  ///< all of the same width, height and field
   std::string textures;              ///< file name for numbered_file, beside the scene; plain ASCII
-  bool alpha = false;                ///< as MoonScene's
+  bool alpha = false;                ///< as in MoonScene
   std::size_t first_frame = 1;       ///< number of the first frame and its texture
 
   std::size_t last_frame() const { return first_frame + cameras.size() - 1; }
 };
 
-/// Name of a numbered file of a sequence.
+/// The name of a numbered file in a sequence.
 ///
-///     moon_lin_rec709.0007.exr        at least four digits, as many as the last frame has
+///     moon_lin_rec709.0007.exr        as many digits as the last frame's number, but at least four
 std::string numbered_file(const std::string& stem, std::size_t frame, std::size_t last);
 
-/// Text of one scene for all frames: places and texture are selected by POV-Ray's frame_number, never by its clock.
-/// Frames count from first_frame; without an animation the first is rendered, past the last is an error.
+/// The text of one scene for all frames. POV-Ray's frame_number, never its clock, selects places and texture. Frames
+/// are counted from first_frame. Without an animation POV-Ray renders the first; a frame past the last is an error.
 ///
-/// Accuracy  a frame has the very pixels of its own single scene (see to_pov of that)
-/// Throws    Error  as to_pov of a single scene, with the number of the frame; when there are no frames, a number
-///                  beyond 999999, or a camera differs from the first one in width, height or field
+/// Accuracy  a frame has exactly the pixels that a single scene of it would have (see to_pov for MoonScene)
+/// Throws    Error  like to_pov for a single scene, with the number of the frame; also if there are no frames, a number
+///                  is above 999999, or a camera differs from the first one in width, height or field
 std::string to_pov(const Sequence& sequence);
 
-/// Text of POV-Ray's settings: those of a single scene, and the range of frames. Final_Frame is made of nines, which
-/// gives frame.0001.exr four digits in a short sequence too: the last frame is Subset_End_Frame.
+/// The text of POV-Ray's settings: those for a single scene, and the range of frames. Final_Frame is all nines, so that
+/// even in a short sequence frame.0001.exr has four digits. The real last frame is Subset_End_Frame.
 ///
-/// Throws  Error  as to_pov
+/// Throws  Error  like to_pov
 std::string to_ini(const Sequence& sequence);
 
 /// Writes eclipse.pov and eclipse.ini, each whole or not at all; with the textures put beside them,
-/// `povray eclipse.ini` in that folder makes all frames, and `povray eclipse.ini +SF3 +EF5` three.
+/// `povray eclipse.ini` in that folder makes all frames, and `povray eclipse.ini +SF3 +EF5` makes three of them.
 ///
-/// Given   folder  made when only its last part is missing
-/// Throws  Error   as to_pov, before anything is written; or when the folder or a file cannot be made
+/// Given   folder  created if only its last part is missing
+/// Throws  Error   like to_pov, before anything is written; or if the folder or a file cannot be made
 void write_sequence(const std::filesystem::path& folder, const Sequence& sequence);
 
 /// Callback for each frame whose file is whole.
@@ -57,14 +57,14 @@ using FrameDone = std::function<void(std::size_t frame, const std::filesystem::p
 /// Renders frames in one run of POV-Ray.
 ///
 /// Given     folder       as write_sequence left it, with the textures of these frames
-///           first, last  from the sequence's first frame to its last
-///           frame_done   called for each in order, on this thread, while POV-Ray goes on with the
-///                        next; the file, frame.0001.exr in the folder, is the callee's to remove.
-///                        What it throws ends POV-Ray and goes on from here
-///           settings     the timeout is for the whole run, frame_done's own time included
-/// Accuracy  the same bits as a run of its own for each frame, on any number of threads
-/// Throws    Error  when the frames are out of range, there is no sequence, no POV-Ray, or it fails (with its own last
-///                  words) or takes longer than allowed; the frames before have then been handed over
+///           first, last  numbers within the sequence, from its first frame to its last
+///           frame_done   called for each frame in order, on this thread, while POV-Ray goes on with the next.
+///                        Removing the file, such as frame.0001.exr, is left to it. If it throws, POV-Ray is
+///                        ended and the exception passed on
+///           settings     the timeout is for the whole run, including the time that frame_done takes
+/// Accuracy  the same bits as with a separate run for each frame, on any number of threads
+/// Throws    Error  if the frames are out of range, there is no sequence or no POV-Ray, or POV-Ray fails (with its last
+///                  messages) or takes longer than allowed; earlier frames have then been handed over
 void render_sequence(const std::filesystem::path& folder, std::size_t first, std::size_t last,
                      const FrameDone& frame_done, const RenderSettings& settings = {});
 

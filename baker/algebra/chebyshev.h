@@ -6,15 +6,15 @@
 
 namespace coppermoon::algebra {
 
-/// Node i of n, from −1 to 1, for `chebyshev_series`.
+/// Node i of n, in order from −1 to 1, for `chebyshev_series`.
 double chebyshev_node(int i, int n);
 
-/// Coefficients c of the Chebyshev series Σ c_k T_k through values at all nodes.
+/// Coefficients c of the Chebyshev series Σ c_k T_k that passes through the values at all nodes.
 ///
 /// Given  values  [node], one or more
 std::vector<double> chebyshev_series(std::span<const double> values);
 
-/// The same for a function of several components.
+/// The coefficients of the Chebyshev series for a function with several components.
 ///
 /// Given     values  [node][component]
 /// Returned  [component][coefficient]
@@ -22,7 +22,7 @@ std::vector<std::vector<double>> chebyshev_series(const std::vector<std::vector<
 
 /// Coefficients a of the power series Σ a_k x^k that equals a Chebyshev series.
 ///
-/// Accuracy  rounding grows by about 2.4 for each degree: for a few coefficients
+/// Accuracy  rounding errors grow by a factor of about 2.4 with each degree, so use it for few coefficients only
 std::vector<double> power_series(std::span<const double> chebyshev);
 
 }  // namespace coppermoon::algebra

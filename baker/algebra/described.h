@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Words of a result that describes itself. Beside each result stands
+// Vocabulary for results that describe themselves. Beside each result stands a function
 //
 //     template <class Field>
 //     void describe(Field&& is, const Result& result);
 //
-// which calls `is.a(name, meaning)` for the result, and `is(key, value, unit, meaning)` for each of its values; the unit may be
-// left out. A value is a number, a text, an Angle (in degrees), an Instant, a list, a grid, another result, something
-// below, an optional of these, or a function without arguments that returns one. `describe` is also called with a
-// result of default values, of which keys, kinds, units and meanings are taken.
+// which calls `is.a(name, meaning)` for the result, and `is(key, value, unit, meaning)` for each of its values; the
+// unit may be left out. A value is a number, a text, an Angle (in degrees), an Instant, a list, a grid, another result,
+// a type from this file, an optional of these, or a function without arguments that returns one of them. `describe` is
+// also called with a result of default values, just to learn the keys, kinds, units and meanings.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -20,7 +21,7 @@
 
 namespace coppermoon::algebra {
 
-/// Unit of a value, as documents write it.
+/// The unit of a value, as written in documents.
 struct Unit {
   std::string_view name;
 };
@@ -31,7 +32,7 @@ inline constexpr Unit none{""}, degrees{"degrees"}, metres{"m"}, kilometres{"km"
     luminance{"cd/m²"}, illuminance{"lx"}, stops{"stops"}, pixels{"pixels"}, bytes{"bytes"};
 }  // namespace unit
 
-/// Optional whose key documents leave out where it has no value; that of others is null.
+/// An optional value whose key is left out of documents if it has no value. A plain std::optional becomes null instead.
 template <class Value>
 struct IfAny {
   std::optional<Value> value;
@@ -42,17 +43,25 @@ IfAny<Value> if_any(std::optional<Value> value) {
   return {std::move(value)};
 }
 
-/// Values by their names: an object in documents.
+/// A value that belongs to a thing: documents leave out its key if there is no such thing, and have null if the thing has
+/// no such value.
+template <class Thing, class Function>
+auto of_any(const std::optional<Thing>& thing, Function&& value) {
+  using Value = std::invoke_result_t<Function, const Thing&>;
+  return IfAny<Value>{thing ? std::optional<Value>(std::in_place, value(*thing)) : std::nullopt};
+}
+
+/// Named values, which become an object in documents.
 template <class Value>
 using ByName = std::vector<std::pair<std::string, Value>>;
 
-/// One of some words.
+/// One word out of those that are allowed.
 struct Word {
   std::string_view word;
   std::vector<std::string_view> allowed;
 };
 
-/// Value in degrees, of an angle that there may be.
+/// An optional angle in degrees.
 inline std::optional<double> in_degrees(const std::optional<Angle>& angle) {
   return angle ? std::optional(in_degrees(*angle)) : std::nullopt;
 }

@@ -15,8 +15,8 @@ struct Error : std::runtime_error {
 };
 
 /// Throws Error("<what> = <value>, allowed <lowest> to <highest>") unless lowest <= value <=
-/// highest. A NaN is never inside. `what` includes the unit: "wavelength [nm]". The value is printed with six digits,
-/// or as many as distinguish it from the limit.
+/// highest. A NaN is always refused. `what` includes the unit: "wavelength [nm]". The value is printed with six digits,
+/// or with as many as it takes to tell it from the limit.
 inline void require_within(std::string_view what, double value, double lowest, double highest) {
   if (value >= lowest && value <= highest) return;
   const auto short_text = [](double x) { return fmt::format("{:g}", x); };

@@ -13,7 +13,7 @@
 
 namespace coppermoon::algebra {
 
-/// Allocator of zeroed memory; the system provides pages only when they are written to.
+/// Allocator that returns zeroed memory. The system provides a page only when it is written to.
 template <class T>
 struct ZeroedMemory {
   using value_type = T;
@@ -27,7 +27,7 @@ struct ZeroedMemory {
     throw std::bad_alloc();
   }
   void deallocate(T* memory, std::size_t) { std::free(memory); }
-  /// Leaves a value zero, as allocated.
+  /// Leaves the value at zero, as it was allocated.
   void construct(T*) {}
   template <class... Arguments>
   void construct(T* at, Arguments&&... arguments) {

@@ -8,8 +8,8 @@
 
 namespace coppermoon::algebra {
 
-/// Place of a value among increasing ones: indices of the neighbours below and above, and the fraction of the way
-/// from one to the other; outside, both are the end.
+/// Where a value lies among increasing ones: the indices of its neighbours below and above, and the fraction of the way
+/// from one to the other. Beyond either end, both indices are that end.
 struct OnLine {
   std::size_t below, above;
   double further;  ///< 0 to 1
@@ -18,27 +18,27 @@ struct OnLine {
 /// Given  x  increasing, one or more
 OnLine on_line(std::span<const double> x, double at);
 
-/// Linear interpolation between points (x, y); outside, the end values hold.
+/// Linear interpolation between points (x, y). Beyond the ends, the end values hold.
 ///
 /// Given  x  increasing
 double interpolated(std::span<const double> x, std::span<const double> y, double at);
 
-/// Mean over [from, to] of the piecewise linear function through (x, y); outside, the end values hold.
+/// Mean over [from, to] of the piecewise linear function through points (x, y). Beyond the ends, the end values hold.
 double mean_between(std::span<const double> x, std::span<const double> y, double from, double to);
 
-/// Lagrange weights of nodes for the value, at x, of the polynomial through all of them.
+/// Lagrange weights of the nodes: they give the value at x of the polynomial through all of the nodes.
 ///
 ///     c_i = Π_{j≠i} (x − x_j) / (x_i − x_j)
 ///
-/// Given     nodes  all different
+/// Given     nodes  x_i, all different
 ///           at     x
-/// Returned  [node], with sum 1
+/// Returned  [node], with a sum of 1
 std::vector<double> on_polynomial(std::span<const double> nodes, double at);
 
-/// Writes the weights into a span of equal length.
+/// Writes the same weights into a span as long as `nodes`.
 void on_polynomial(std::span<const double> nodes, double at, std::span<double> weights);
 
-/// Weights of nodes whose number is known at compile time.
+/// The same weights for a number of nodes that is known at compile time.
 template <std::size_t size>
 std::array<double, size> on_polynomial(std::span<const double, size> nodes, double at) {
   std::array<double, size> weights;
@@ -46,23 +46,23 @@ std::array<double, size> on_polynomial(std::span<const double, size> nodes, doub
   return weights;
 }
 
-/// Indices and weights of four among values spaced evenly around a circle.
+/// Indices and weights of four of the values that are spaced evenly around a circle.
 struct OnCircle {
   std::array<std::size_t, 4> at;
   std::array<double, 4> share;  ///< their sum is 1
 };
 
-/// Cubic interpolation through two values on either side; constant where the circle has one value.
+/// Cubic interpolation between the two values on either side; constant if the circle has only one value.
 ///
 /// Given  count  number of values around the circle
-///        turn   place among them: 0 at the first, `count` after a full circle
+///        turn   position on the circle: 0 at the first value, `count` after a full turn
 OnCircle on_circle(std::size_t count, double turn);
 
 /// Monotone piecewise cubic interpolation with continuous slope; between two points it stays between their values.
-/// Outside, it continues linearly.
+/// Beyond the ends it continues linearly.
 ///
 /// Source  Fritsch & Butland (1984), SIAM J. Sci. Stat. Comput. 5, 300; slopes at the ends are those to
-///         the next point
+///         the neighbouring point
 class MonotoneCubic {
  public:
   /// Given  x  increasing, two or more

@@ -10,15 +10,15 @@ namespace coppermoon::algebra {
 inline constexpr std::size_t points_a_block = 1024;
 inline constexpr std::size_t most_dimensions = 6;
 
-/// Block of quasi-random points of the unit cube: the first 1024 points of Sobol's sequence, with Owen's scrambling.
+/// A block of quasi-random points in the unit cube: the first 1024 points of Sobol's sequence, with Owen's scrambling.
 /// Each coordinate has one point in each 1024th of [0, 1), and pairs of coordinates are nearly as even. Each point
 /// by itself is uniform, and blocks are independent: the mean of a function over a block is unbiased, and its
 /// standard error follows from several blocks.
 ///
-/// Given     seed, block  determine the points, on any thread
+/// Given     seed, block  which alone determine the points, whatever the thread
 ///           dimensions   1 to most_dimensions
 /// Returned  (point, dimension); point i is in the i-th 1024th of dimension 0
-/// Throws    Error  when dimensions is outside its range
+/// Throws    Error  if `dimensions` is out of range
 /// Source    Owen (1995), Randomly permuted (t, m, s)-nets and (t, s)-sequences; direction numbers
 ///           of Joe & Kuo (2008), SIAM J. Sci. Comput. 30, 2635
 Grid<double> scrambled_block(std::uint64_t seed, std::uint64_t block, std::size_t dimensions);

@@ -7,7 +7,7 @@
 
 namespace coppermoon::algebra {
 
-/// A number with a dimension: a wavelength given for a length does not compile.
+/// A number with a dimension, so that passing a wavelength for a length does not compile.
 /// Made and read only through functions that name the unit (`kilometres(42)`, `in_metres(x)`).
 template <class Dimension>
 class Quantity {
@@ -45,7 +45,7 @@ constexpr double in_radians(Angle x) { return x.in_kept_unit(); }
 constexpr double in_degrees(Angle x) { return x.in_kept_unit() * 180 / std::numbers::pi; }
 constexpr double in_arcminutes(Angle x) { return in_degrees(x) * 60; }
 
-/// Angle reduced to 0 to 2π (2π itself by rounding alone).
+/// An angle reduced to the range 0 to 2π (2π itself only through rounding).
 inline Angle within_circle(Angle x) {
   const Angle circle = radians(2 * std::numbers::pi);
   const Angle rest = radians(std::fmod(in_radians(x), in_radians(circle)));

@@ -8,7 +8,7 @@
 
 namespace coppermoon::almanac {
 
-/// Position and velocity of the Earth, GCRS axes.
+/// Position and velocity of the Earth, in GCRS axes.
 struct EarthMotion {
   glm::dvec3 heliocentric_au, barycentric_au, velocity_au_per_day;
 };
@@ -16,16 +16,16 @@ struct EarthMotion {
 /// Source  ERFA eraEpv00
 EarthMotion earth_at(const Instant& instant);
 
-/// Direction with aberration by the Earth's motion.
+/// Adds to a direction the aberration caused by the Earth's motion.
 ///
 /// Given  direction  unit, from the Earth's centre
 /// Source ERFA eraAb
 glm::dvec3 aberrated(const glm::dvec3& direction, const EarthMotion& earth);
 
-/// Vector in GCRS axes, from the mean ecliptic and equinox of 2000.
+/// Turns a vector from the mean ecliptic and equinox of 2000 to GCRS axes.
 glm::dvec3 gcrs_from_ecliptic(const glm::dvec3& of_2000);
 
-/// Mutex to hold while libnova computes, since libnova keeps state in statics.
+/// Mutex to hold during any call to libnova, which keeps its state in static variables.
 std::mutex& libnova_is_single_threaded();
 
 }  // namespace coppermoon::almanac

@@ -24,7 +24,7 @@ glm::dvec3 geometric_moon98_m(const Instant& instant) {
   return vec(pv[0]) * astronomical_unit_m;
 }
 
-/// Shift of the series' time argument [days] that corrects its mean longitude to DE405's.
+/// Shift of the series' time argument [days] that makes its mean longitude agree with DE405.
 double elp_time_shift_days(const Instant& instant) {
   constexpr double mean_motion_arcsec_per_century = 1732559343.736;
   const double t = ((instant.tt_day - ERFA_DJ00) + instant.tt_fraction) / ERFA_DJC;
@@ -32,7 +32,7 @@ double elp_time_shift_days(const Instant& instant) {
   return arcsec / mean_motion_arcsec_per_century * ERFA_DJC;
 }
 
-/// Geometric position of the Moon by ELP 2000-82B. libnova takes TDB, and returns kilometres in the inertial mean
+/// Geometric position of the Moon from ELP 2000-82B. libnova takes TDB, and returns kilometres in the inertial mean
 /// ecliptic and dynamical equinox of J2000.
 glm::dvec3 geometric_elp_m(const Instant& instant) {
   ln_rect_posn km{};

@@ -13,7 +13,7 @@ inline constexpr double astronomical_unit_m = 149597870700.0, speed_of_light_m_p
 /// Theories of the Moon's motion: `moon98` (ERFA's) or the full `elp_2000_82b` (libnova's).
 ///
 /// moon98        3 µs a call; Accuracy 2.9″ RMS, 18″ worst, 1950 to 2100
-/// elp_2000_82b  2 to 4 ms a call, one call at a time in the whole process (libnova keeps statics).
+/// elp_2000_82b  2 to 4 ms a call, one call at a time in the whole process (libnova keeps static state).
 ///               Its mean longitude is corrected to DE405 by
 ///                   −0.07008″ − 0.35106″ T − 0.95753″ T²          T in centuries from 2000
 ///               of which −0.9201″ T² is the change of the adopted tidal acceleration: 23″ in 1500, 1500″ in −1999
@@ -29,8 +29,8 @@ enum class LunarTheory { moon98, elp_2000_82b };
 /// Source    ERFA eraEpv00 (shortened VSOP2000)
 glm::dvec3 apparent_sun_m(const Instant& instant);
 
-/// Apparent geocentric position of the Moon. Only light time in the geocentric frame enters: aberration cancels the
-/// Earth's motion during the light time.
+/// Apparent geocentric position of the Moon. Only the light time in the geocentric frame matters, since aberration
+/// cancels the Earth's motion during the light time.
 ///
 /// Returned  position        GCRS axes [m]
 glm::dvec3 apparent_moon_m(const Instant& instant, LunarTheory theory);

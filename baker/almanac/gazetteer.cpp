@@ -23,7 +23,7 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-/// Rows of a table, without its heading; each gets the plain form of its name as an additional last cell.
+/// The rows of a table without its heading. Each row gets the plain form of its name as an extra last cell.
 Rows rows_of(std::string_view text, std::size_t name_column = 0) {
   auto rows = algebra::parse_text_table(text);
   rows.erase(rows.begin());
@@ -51,7 +51,7 @@ City city_in(const std::vector<std::string>& row) {
           row[5]};
 }
 
-/// File of the user's own cities; empty: the user has no home.
+/// The file with the user's own cities; empty if the user has no home folder.
 std::filesystem::path own_cities_file() {
   const auto variable = [](const char* name) -> std::filesystem::path {
     const char* const value = std::getenv(name);
@@ -63,7 +63,7 @@ std::filesystem::path own_cities_file() {
   return home.empty() ? home : home / ".config" / "coppermoon" / "cities.csv";
 }
 
-/// Rows of the user's own file, checked; a heading may be left out.
+/// The rows of the user's own file, once checked. The heading is optional.
 Rows own_rows() {
   const auto path = own_cities_file();
   std::ostringstream text;
@@ -104,7 +104,7 @@ LunarFeature feature_in(const std::vector<std::string>& row) {
           algebra::kilometres(number(row[3]))};
 }
 
-/// A name with ae, oe and ue for ä, ö and ü.
+/// A name with ä, ö and ü written as ae, oe and ue.
 std::string without_umlauts(std::string_view name) {
   constexpr std::pair<std::string_view, std::string_view> umlauts[] = {
       {"ä", "ae"}, {"ö", "oe"}, {"ü", "ue"}, {"Ä", "ae"}, {"Ö", "oe"}, {"Ü", "ue"}};
@@ -120,13 +120,13 @@ bool is_name(const std::string& known, std::string_view name) {
   return plain == plain_name(name) || plain == plain_name(without_umlauts(name));
 }
 
-/// Region, state or country.
+/// A region, state or country.
 struct Area {
   std::vector<std::string> regions;  ///< plain names that a city's region may have
-  std::string time_zones = " ";      ///< that a city may have, with spaces around them
+  std::string time_zones = " ";      ///< zones a city may have, with spaces around them
 };
 
-/// Area of any name: a region, or what areas.csv knows by it. Dots are ignored: "D.C.".
+/// The area with a given name: a region, or whatever areas.csv lists under the name. Dots are ignored, as in "D.C.".
 Area area_named(std::string_view name) {
   static const Rows rows = rows_of(tables::areas());
   const auto plain = plain_name(name);
@@ -141,7 +141,7 @@ Area area_named(std::string_view name) {
   return area;
 }
 
-/// Areas of a text behind a city's name: one, or several with commas between, as "Illinois, USA".
+/// Reads the areas from the text after a city's name: one, or several separated by commas, as in "Illinois, USA".
 std::vector<Area> areas_in(std::string_view text) {
   std::vector<Area> areas;
   std::istringstream parts{std::string(text)};
@@ -157,9 +157,9 @@ bool is_in(const std::vector<Area>& areas, const std::vector<std::string>& city)
   });
 }
 
-/// Rows of a name; if none, rows whose names contain it as whole words.
+/// The rows with a given name; if there are none, the rows whose names contain it as whole words.
 ///
-/// Given  areas  that a city must be in
+/// Given  areas  which a city must be in
 Rows rows_named(const Rows& rows, std::string_view name, const std::vector<Area>& areas = {}) {
   const auto wanted = plain_name(name), spelt = plain_name(without_umlauts(name)),
              whole_words = " " + wanted + " ";
@@ -174,7 +174,7 @@ Rows rows_named(const Rows& rows, std::string_view name, const std::vector<Area>
   return all.empty() ? parts : all;
 }
 
-/// Name of a city in the gazetteer, given that name or an alternative one.
+/// A city's name in the gazetteer, given this name or an alternative one.
 std::string known_name(std::string_view name) {
   static const Rows others = rows_of(tables::city_other_names(), 1);
   const auto plain = plain_name(name);
@@ -183,7 +183,7 @@ std::string known_name(std::string_view name) {
   return std::string(name);
 }
 
-/// A city's name, and the areas behind a slash or comma; empty: any.
+/// Splits a text into a city's name and the areas after a slash or comma, which are empty if the text names none.
 std::pair<std::string_view, std::string_view> name_and_region(std::string_view text) {
   const auto end = text.find_first_of("/,");
   if (end == std::string_view::npos) return {algebra::without_spaces(text), {}};
@@ -193,7 +193,7 @@ std::pair<std::string_view, std::string_view> name_and_region(std::string_view t
 
 std::string as_written(const City& city) { return city.name + "/" + city.region; }
 
-/// List of a few of the words, with commas between.
+/// The first few of the words, separated by commas.
 std::string listed(std::vector<std::string> words) {
   constexpr std::size_t most = 5;
   const auto left = words.size() > most ? words.size() - most : 0;
@@ -208,7 +208,7 @@ std::vector<std::string> names_in(const Rows& rows) {
   return names;
 }
 
-/// Cosine of the angle between two places at the Earth's centre.
+/// Cosine of the angle between two places as seen from the Earth's centre.
 double nearness(const Observer& a, const Observer& b) {
   const double north_a = algebra::in_radians(a.latitude), north_b = algebra::in_radians(b.latitude);
   const double apart = algebra::in_radians(a.longitude) - algebra::in_radians(b.longitude);
@@ -219,7 +219,7 @@ double nearness(const Observer& a, const Observer& b) {
 }  // namespace
 
 std::string plain_name(std::string_view name) {
-  // letters of U+00C0 to U+017F without their accents
+  // the letters from U+00C0 to U+017F without their accents
   constexpr std::string_view plain =
       "aaaaaaaceeeeiiiidnooooo-ouuuuytsaaaaaaaceeeeiiiidnooooo-ouuuuyty"
       "aaaaaaccccccccddddeeeeeeeeeegggggggghhhhiiiiiiiiiiiijjkkkllllllllll"
@@ -232,9 +232,9 @@ std::string plain_name(std::string_view name) {
       text += plain.substr((byte - 0xC3U) * 64 + (next & 0x3FU)).front();
     } else if (byte == 0xC8 && i + 1 < name.size() && name[i + 1] >= '\x98' &&
                name[i + 1] <= '\x9B') {
-      text += "sstt"[static_cast<unsigned char>(name[++i]) - 0x98];  // Romanian: a comma below
+      text += "sstt"[static_cast<unsigned char>(name[++i]) - 0x98];  // Romanian: with a comma below
     } else if ((byte == 0xCC || byte == 0xCD) && i + 1 < name.size()) {
-      ++i;  // combining accent, which follows its letter
+      ++i;  // skip a combining accent, which follows its letter
     } else {
       text += byte >= 'A' && byte <= 'Z' ? static_cast<char>(byte - 'A' + 'a') : name[i];
     }
@@ -257,7 +257,7 @@ std::optional<City> city_named(std::string_view name) {
   return all.empty() ? std::nullopt : std::optional(all.front());
 }
 
-/// Rank of a city by population, from 1 on.
+/// Rank of a city by population; the largest has 1.
 static std::ptrdiff_t rank_of(const City& city) {
   const auto found = std::ranges::find_if(
       cities(), [&](const auto& row) { return row[0] == city.name && row[1] == city.region; });
@@ -265,7 +265,7 @@ static std::ptrdiff_t rank_of(const City& city) {
 }
 
 std::string city_taken(std::string_view name) {
-  constexpr int far_smaller = 10;  // ranks: population falls as one over the rank
+  constexpr int far_smaller = 10;  // ratio of ranks: population falls as 1 / rank
   auto all = cities_named(name);
   if (all.empty() || all.front().own) return {};
   const auto known = known_name(name_and_region(name).first);

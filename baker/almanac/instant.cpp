@@ -19,16 +19,16 @@ namespace {
 struct CivilTime {
   int year = 0, month = 1, day = 1, hour = 0, minute = 0;
   double second = 0;
-  int minutes_east = 0;  ///< of UTC
+  int minutes_east = 0;  ///< offset from UTC
 };
 
-/// Whether there is such a time of day in some zone; 24:00 is the midnight that ends a day.
+/// Whether the time of day exists in some time zone; 24:00 is the midnight that ends a day.
 bool is_time_of_day(const CivilTime& c) {
   const bool ends_day = c.hour == 24 && c.minute == 0 && c.second == 0;
   return (c.hour < 24 || ends_day) && c.minute < 60 && c.second < 61;
 }
 
-/// Date, time of day and offset of an ISO 8601 text of those years; none of any other text.
+/// Reads date, time of day and offset from an ISO 8601 text of an allowed year; empty if it is anything else.
 std::optional<CivilTime> civil_time(std::string_view text) {
   static const std::regex iso_8601(
       R"(([+-]?)(\d{4})(-?)(\d\d)\3(\d\d))"                   // date, extended or basic
@@ -55,7 +55,7 @@ std::optional<CivilTime> civil_time(std::string_view text) {
   return sound ? std::optional(c) : std::nullopt;
 }
 
-/// The same moment by the clocks of UTC, where a leap second may end the day; none where there is no such day.
+/// Converts a moment to UTC, in which a leap second may end the day; empty if the date does not exist.
 std::optional<CivilTime> in_utc(CivilTime c) {
   constexpr int day_min = 24 * 60;
   const int minutes = 60 * c.hour + c.minute - c.minutes_east;
@@ -69,7 +69,7 @@ std::optional<CivilTime> in_utc(CivilTime c) {
   return c;
 }
 
-/// Gregorian date of a date in the Julian calendar; none where there is no such day.
+/// Converts a date from the Julian to the Gregorian calendar; empty if the date does not exist.
 ///
 /// Source  Meeus (1998), Astronomical Algorithms, chapter 7: the Julian day of a Julian date
 std::optional<CivilTime> in_gregorian(CivilTime c) {
@@ -91,10 +91,10 @@ Instant normalised(double day, double fraction) {
   return {day + whole, fraction - whole};
 }
 
-enum class Scale { utc, ut1 };  // UTC proper while ERFA has leap seconds, otherwise read as UT1
+enum class Scale { utc, ut1 };  // true UTC while ERFA has leap seconds, otherwise UT1
 
 constexpr int dubious_year =
-    1;  // ERFA's word for a day after its leap seconds: here the last one's end
+    1;  // ERFA's status for a day after its leap seconds: here, the end of the last
 
 const char* name(Scale scale) { return scale == Scale::utc ? "UTC" : "UT1"; }
 

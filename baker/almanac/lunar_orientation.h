@@ -19,8 +19,8 @@ struct SelenographicPoint {
   algebra::Angle latitude, longitude;
 };
 
-/// Orientation of the Moon: rotation from GCRS axes to the Moon-fixed mean-Earth/polar-axis frame, X to 0°,
-/// Y to 90° E, Z north.
+/// Orientation of the Moon: the rotation from GCRS axes to the Moon-fixed mean-Earth/polar-axis frame, with X towards
+/// 0°, Y towards 90° E and Z towards the north.
 ///
 ///     R = Rz(W) Rx(90° − δ₀) Rz(90° + α₀)        pole (α₀, δ₀), prime meridian W, in the ICRF
 ///
@@ -29,12 +29,12 @@ struct SelenographicPoint {
 /// Source    Archinal et al. (2011), Celest. Mech. Dyn. Astron. 109, 101 (IAU WGCCRE 2009)
 glm::dmat3 selenographic_from_gcrs(const Instant& instant);
 
-/// Selenographic point in a direction from the Moon's centre.
+/// The selenographic point that lies in a given direction from the Moon's centre.
 ///
 /// Given   position   from the Moon's centre, Moon-fixed frame, any length
 SelenographicPoint selenographic_point(const glm::dvec3& position);
 
-/// The unit vector to a place on the Moon, Moon-fixed frame.
+/// The unit vector from the Moon's centre to a place on the Moon, in the Moon-fixed frame.
 glm::dvec3 selenographic_direction(const SelenographicPoint& place);
 
 }  // namespace coppermoon::almanac

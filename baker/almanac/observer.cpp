@@ -35,7 +35,7 @@ glm::dvec3 earth_fixed_position_m(const Observer& observer) {
   return {xyz[0], xyz[1], xyz[2]};
 }
 
-/// Axes of the horizon at a place, Earth-fixed: columns north, east, zenith. Defined at the poles, too.
+/// Earth-fixed axes of the horizon at a place, in columns: north, east, zenith. They are defined at the poles too.
 glm::dmat3 earth_fixed_horizon(const Observer& observer) {
   const double latitude = algebra::in_radians(observer.latitude),
                longitude = algebra::in_radians(observer.longitude);

@@ -13,7 +13,7 @@ struct Observer {
   algebra::Length elevation;
 };
 
-/// Airless view of the Moon from an observer.
+/// How an observer sees the Moon without the air.
 struct ObserverView {
   glm::dvec3 position_m;             ///< the observer, geocentric, GCRS axes
   glm::dvec3 zenith;                 ///< unit, GCRS axes (geodetic vertical)
@@ -25,13 +25,13 @@ struct ObserverView {
   SelenographicPoint sub_observer;  ///< topocentric libration
 };
 
-/// Throws  Error  when the latitude is outside ±90°, the longitude ±360° or the elevation −500 to 100 000 m
+/// Throws  Error  if the latitude is outside ±90°, the longitude ±360° or the elevation −500 to 100 000 m
 void require_on_earth(const Observer& observer);
 
 /// The Moon as seen from a place on the Earth, without refraction.
 ///
 /// Omits   polar motion (0.6″), diurnal aberration (0.3″), UT1 − UTC (0.9 s, 14″ of azimuth)
-/// Throws  Error  as require_on_earth
+/// Throws  Error  like require_on_earth
 ObserverView view_from(const Observer& observer, const SkyState& sky);
 
 }  // namespace coppermoon::almanac

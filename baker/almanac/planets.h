@@ -10,20 +10,20 @@
 
 namespace coppermoon::almanac {
 
-/// Planet as seen from the Earth's centre.
+/// A planet as seen from the Earth's centre.
 struct Planet {
   std::string_view name;
   glm::dvec3 position_m;  ///< apparent (light time, aberration), GCRS axes [m]
   double magnitude;       ///< V
   double b_minus_v;
-  algebra::Length radius;  ///< of its equator
+  algebra::Length radius;  ///< at its equator
 };
 
 /// Mercury to Neptune, without the Earth.
 ///
 /// Accuracy  0.15″ against a worked example in 1992; the theory claims 1″ from 1800 to 2100. Magnitudes 0.1
-/// Omits     changes of magnitude by the rotation and seasons of Mars, and by the sub-Earth latitude of Uranus (0.1)
-/// Source    VSOP87 (Bretagnon & Francou 1988, Astron. Astrophys. 202, 309) by libnova;
+/// Omits     changes in magnitude with the rotation and seasons of Mars, and the sub-Earth latitude of Uranus (0.1)
+/// Source    VSOP87 (Bretagnon & Francou 1988, Astron. Astrophys. 202, 309) in libnova;
 ///           magnitudes: Mallama & Hilton (2018), Astronomy and Computing 25, 10; B − V: Cox (2000),
 ///           Allen's Astrophysical Quantities; radii: Archinal et al. (2018), Celest. Mech. 130, 22
 std::vector<Planet> planets_at(const Instant& instant);

@@ -11,7 +11,7 @@
 
 namespace coppermoon::almanac {
 
-/// Geocentric positions and orientations of Sun and Moon at one moment.
+/// Geocentric positions and orientations of the Sun and the Moon at one moment.
 struct SkyState {
   Instant when;
   glm::dvec3 sun_m, moon_m;  ///< apparent geocentric (light time, aberration), GCRS axes [m]
@@ -19,30 +19,30 @@ struct SkyState {
   glm::dmat3 equator_from_gcrs;        ///< to the true equator and equinox of date
   SelenographicPoint sub_earth, sub_solar;  ///< with aberration
   algebra::Angle
-      axis_position_angle;  ///< of the Moon's north pole, from north of date through east
+      axis_position_angle;  ///< of the Moon's north pole, from the north of date through east
 };
 
-/// Positions and orientations at a moment, by one of the two lunar theories (ephemeris.h).
+/// Computes positions and orientations at a moment with one of the two lunar theories (ephemeris.h).
 ///
-/// Accuracy  Moon 1 km; libration, sub-solar point and axis 0.01°; against DE431, 2007 to 2010. Tables that omit
-///           aberration from the libration differ by 20.5″, 0.0057°
+/// Accuracy  Moon 1 km; libration, sub-solar point and axis 0.01°, compared with DE431 from 2007 to 2010. Tables whose
+///           libration omits aberration differ by 20.5″, or 0.0057°
 /// Source    precession and nutation: IAU 2006/2000A (ERFA eraPnm06a)
 SkyState sky_at(const Instant& instant, LunarTheory theory = LunarTheory::elp_2000_82b);
 
-/// Apparent right ascension (0 to 2π), declination and distance of a GCRS position, for the equator of date.
+/// Apparent right ascension (0 to 2π), declination and distance of a GCRS position, relative to the equator of date.
 struct EquatorialPlace {
   algebra::Angle right_ascension, declination;
   algebra::Length distance;
 };
 EquatorialPlace equatorial_place(const SkyState& sky, const glm::dvec3& position_m);
 
-/// True equator and equinox of date from GCRS axes. The bottom row is the celestial pole of date.
+/// The rotation from GCRS axes to the true equator and equinox of date. Its bottom row is the celestial pole of date.
 glm::dmat3 equator_from_gcrs(const Instant& instant);
 
-/// Position angle of `target` as seen at `direction`, from north through east, −π to π.
+/// Position angle of `target` relative to `direction`, from north through east, −π to π.
 ///
-/// Given   direction   vertex of the angle, any length; all in the same axes
-///         target      any length
+/// Given   direction   vertex of the angle, of any length; all three vectors have the same axes
+///         target      of any length
 ///         north       the celestial pole, a unit vector
 algebra::Angle position_angle(const glm::dvec3& direction, const glm::dvec3& target,
                               const glm::dvec3& north);

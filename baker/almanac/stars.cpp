@@ -16,7 +16,7 @@
 namespace coppermoon::almanac {
 namespace {
 
-/// Signed little-endian integer of up to four bytes.
+/// Reads a signed little-endian integer of up to four bytes.
 double number_in(std::string_view bytes) {
   std::uint32_t number = 0;
   for (std::size_t k = bytes.size(); k-- > 0;)
@@ -25,7 +25,7 @@ double number_in(std::string_view bytes) {
   return static_cast<std::int32_t>(number << unused) >> unused;
 }
 
-/// Star of a record of the catalogue.
+/// Reads a star from a record of the catalogue.
 ///
 /// Given  record  in the format of data/make_stars.py
 Star star_of(std::string_view record) {

@@ -5,9 +5,9 @@
 
 namespace coppermoon::atmosphere {
 
-/// Extinction at 550 nm and 7 km by the aerosol of the free troposphere, in years without eruptions. Measured
-/// at 1.02 µm it rises linearly from 1e-4 km⁻¹ at 70° south to 7e-4 km⁻¹ at 70° north; a factor of 2.2
-/// (Ångström exponent 1.3) takes it to 550 nm.
+/// Extinction at 550 nm and 7 km by the aerosol in the free troposphere, in years without eruptions. Measured
+/// at 1.02 µm, it rises linearly from 1e-4 km⁻¹ at 70° south to 7e-4 km⁻¹ at 70° north; a factor of 2.2
+/// (Ångström exponent 1.3) converts it to 550 nm.
 ///
 /// Returned  [m⁻¹]  2.2e-7 to 1.5e-6
 /// Accuracy  a factor of two
@@ -18,7 +18,7 @@ double free_troposphere_per_m(algebra::Angle latitude);
 ///
 ///     exp(−(h − 7 km) / 3 km)
 ///
-/// Returned  0 higher than 2 km above the tropopause
+/// Returned  0 from 2 km above the tropopause up
 /// Accuracy  the scale height of LOWTRAN 7 between 3 and 10 km is 2.6 km
 double free_troposphere_profile(double tropopause_m, double altitude_m);
 
@@ -26,8 +26,8 @@ double free_troposphere_profile(double tropopause_m, double altitude_m);
 ///
 ///     exp(−h/H) / H
 ///
-/// Given     scale_m  H: 1.2 km for the boundary layer, where the free troposphere's aerosol is a term of its
-///                    own; 2 km for all tropospheric aerosol in one term
+/// Given     scale_m  H: 1.2 km for the boundary layer, if the free troposphere's aerosol is a separate term;
+///                    2 km for all tropospheric aerosol in one term
 /// Accuracy  with H = 2 km it falls by a factor of 33 between 3 and 10 km, the profiles of LOWTRAN 7 for
 ///           23 km of visibility by 30 (spring-summer) and 35 (fall-winter)
 /// Source    Elterman (1968), AFCRL-68-0153, for 1.2 km; LOWTRAN 7: Kneizys et al. (1988),

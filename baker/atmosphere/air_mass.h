@@ -5,7 +5,7 @@
 
 namespace coppermoon::atmosphere {
 
-/// Air mass: air along an observer's line of sight at sea level, over air towards the zenith.
+/// Air mass: ratio of the air along an observer's line of sight at sea level to the air towards the zenith.
 ///
 ///     M = (1.002432 c² + 0.148386 c + 0.0096467) / (c³ + 0.149864 c² + 0.0102963 c + 0.000303978)
 ///     c = cos z
@@ -28,7 +28,7 @@ double air_mass_young_1994(algebra::Angle altitude);
 /// Source    Schaefer (1993), Vistas in Astronomy 36, 311
 double aerosol_air_mass_schaefer_1993(algebra::Angle apparent_altitude);
 
-/// Air mass of ozone, taken as a thin layer at 22 km over a sphere of R = 6378 km.
+/// Air mass of ozone, taken as a thin layer at 22 km above a sphere of R = 6378 km.
 ///
 ///     X = 1 / √(1 − (R cos a / (R + 22 km))²)
 ///

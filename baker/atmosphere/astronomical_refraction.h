@@ -5,7 +5,7 @@
 
 namespace coppermoon::atmosphere {
 
-/// Astronomical refraction: apparent altitude less true altitude of a celestial body.
+/// Astronomical refraction: a celestial body's apparent altitude minus its true altitude.
 ///
 ///     R = 1.02' / tan(h + 10.3 / (h + 5.11)) + 0.0019'        h, 10.3 and 5.11 in degrees
 ///
@@ -20,7 +20,7 @@ namespace coppermoon::atmosphere {
 ///           Meeus, Astronomical Algorithms, chapter 16
 algebra::Angle astronomical_refraction(algebra::Angle true_altitude);
 
-/// True altitude of a body that is seen on the sea horizon: h + R(h) = 0.
+/// True altitude of a body that appears on the sea horizon: h + R(h) = 0.
 inline constexpr algebra::Angle lowest_true_altitude = algebra::degrees(-0.5739);
 
 /// Apparent altitude: true altitude plus refraction. From −1 to −2 degrees refraction fades out; below −2
@@ -29,7 +29,7 @@ inline constexpr algebra::Angle lowest_true_altitude = algebra::degrees(-0.5739)
 /// Throws  Error  as astronomical_refraction
 algebra::Angle apparent_altitude(algebra::Angle true_altitude);
 
-/// Height over width of a round disc seen through air: refraction lifts the lower limb more than the upper one.
+/// Ratio of height to width of a round disc seen through air: refraction lifts the lower limb more than the upper one.
 ///
 ///     k = 1 - (R(h - d/2) - R(h + d/2)) / d
 ///
@@ -37,7 +37,7 @@ algebra::Angle apparent_altitude(algebra::Angle true_altitude);
 ///           diameter       d, 1e-6 to 10 degrees
 /// Returned  k              0.83 for the Moon on the horizon, 0.87 half a degree above it, 0.9997 at
 ///                          the zenith
-/// Omits     the lower half's being flatter than the upper one; the width's shrinking by 3e-4
+/// Omits     that the lower half is flatter than the upper one, and that the width shrinks by 3e-4
 /// Throws    Error          when an argument is outside its range
 /// Source    Meeus, Astronomical Algorithms, chapter 16
 double refracted_flattening(algebra::Angle true_altitude, algebra::Angle diameter);

@@ -52,7 +52,7 @@ std::vector<double> density_breaks(const Column& column) {
   return {density.begin(), density.end()};
 }
 
-/// Altitudes where a profile changes its formula [m].
+/// Altitudes at which the formula for a profile changes [m].
 using Edges = std::array<double, 2>;
 
 Edges around_the_tropopause(const Column& column) {
@@ -214,7 +214,7 @@ std::vector<Column*> every_column(Atmosphere& air) {
   return all;
 }
 
-/// Number of columns of a region: its belts, else one.
+/// Number of columns in a region: one for each belt, or one if it has no belts.
 std::size_t columns_of(const Belts& belts) { return std::max<std::size_t>(1, belts.size()); }
 
 void require_valid(const Belts& belts) {

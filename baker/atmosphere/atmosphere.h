@@ -19,14 +19,14 @@
 
 namespace coppermoon::atmosphere {
 
-/// Density of the air by altitude: no air at all; US 1976 with the ramp of Yapo & Cutler (2009), which ends at
-/// 42 km; US 1976 to 86 km; by latitude and season (SeasonalAir), to 86 km.
+/// How the density of the air varies with altitude: no air; US 1976 with the ramp of Yapo & Cutler (2009), which ends
+/// at 42 km; US 1976 up to 86 km; by latitude and season (SeasonalAir), up to 86 km.
 enum class Density { none, yapo_cutler, us_1976, seasonal };
 
-/// Absorption by ozone: one filter for all light that passed the limb, or along each ray's own path.
+/// How ozone absorbs: as one filter for all light that passed the limb, or along each ray's own path.
 enum class OzonePath { filter, bent };
 
-/// Air over one part of the limb, term by term: each can be switched off. The tables of a latitude and a
+/// Air over one part of the limb. Each term can be switched off. The tables for a latitude and a
 /// month (`seasonal_air` and others) are immutable and shared between columns.
 struct Column {
   Density density = Density::yapo_cutler;
@@ -36,24 +36,26 @@ struct Column {
   OzonePath ozone_path = OzonePath::filter;
   double dust_extinction_per_m = 0;  ///< grey extinction α of the dust layer, 0 to 0.01 m⁻¹; 0: off
   double dust_bottom_m = 15e3, dust_top_m = 20e3;
-  double tropospheric_optical_depth = 0;  ///< of aerosol, vertical, at 550 nm, 0 to 10; 0: off
+  double tropospheric_optical_depth = 0;  ///< vertical, due to aerosol, at 550 nm, 0 to 10; 0: off
   double tropospheric_scale_m = 2e3;      ///< scale height of that aerosol, 500 to 10 000 m
   StratosphericAerosol stratosphere = StratosphericAerosol::none;
-  double stratospheric_factor = 1;  ///< on that aerosol, or the layer below, 0 to 100; 0: off
+  double stratospheric_factor =
+      1;  ///< factor on `stratosphere` or `stratospheric_layer`, 0 to 100; 0: off
   double cloud_top_m = 10e3;
   double cloud_cover = 0;  ///< share of the limb where cloud stops all rays below its top; 0: off
 
   double tropopause_m = 11e3;  ///< 5 to 20 km; the next three terms depend on it
-  double cloud_per_m = 0;  ///< probability of meeting cloud, in a metre, 0 to 0.01 m⁻¹; 0: off
-  double cirrus = 0;       ///< factor on cirrus_extinction_per_m, 0 to 100; 0: off
+  double cloud_per_m = 0;      ///< probability per metre of meeting cloud, 0 to 0.01 m⁻¹; 0: off
+  double cirrus = 0;           ///< factor on cirrus_extinction_per_m, 0 to 100; 0: off
   /// extinction by the free troposphere's aerosol at 7 km and 550 nm, 0 to 0.01; 0: off
   double free_troposphere_per_m = 0;
-  bool oxygen_pairs = false, nitrogen_dioxide = false;  ///< whether these absorb
-  bool oxygen_bands = false;                            ///< whether these absorb
-  double water_vapour = 0;  ///< over that of the US standard atmosphere, 0 to 1000; 0: off
-  std::shared_ptr<const SeasonalAir> seasonal_air{};    ///< for Density::seasonal
-  std::shared_ptr<const OzoneClimate> ozone_climate{};  ///< profile of ozone; null: that of US 1976
-  /// replaces `stratosphere`, unless null
+  bool oxygen_pairs = false, nitrogen_dioxide = false;  ///< whether oxygen pairs and NO₂ absorb
+  bool oxygen_bands = false;                            ///< whether the bands of oxygen absorb
+  double water_vapour = 0;  ///< relative to the US standard atmosphere, 0 to 1000; 0: off
+  std::shared_ptr<const SeasonalAir> seasonal_air{};  ///< for Density::seasonal
+  std::shared_ptr<const OzoneClimate>
+      ozone_climate{};  ///< profile of ozone; if null, that of US 1976
+  /// unless null, replaces `stratosphere`
   std::shared_ptr<const StratosphericLayer> stratospheric_layer{};
 
   bool operator==(const Column&) const = default;
@@ -71,25 +73,25 @@ struct Belt {
 };
 
 /// Belts from north to south. Between two belts, light is interpolated linearly in the position angle; north of
-/// the first and south of the last it is held.
+/// the first belt and south of the last, light is constant.
 using Belts = std::vector<Belt>;
 
-/// Part of the limb with air of its own: from one position angle through east to the other.
+/// Part of the limb with its own air: from one position angle through east to the other.
 /// Position angles are measured at the Earth, about the shadow axis, from celestial north through
 /// east.
 struct Region {
   algebra::Angle from, to;
   Column column{};
-  Belts belts{};          ///< replace the column, unless empty
-  bool mirrored = false;  ///< whether it holds the negative position angles too
+  Belts belts{};          ///< unless empty, replace the column
+  bool mirrored = false;  ///< whether the region includes the negative position angles too
 
   bool operator==(const Region&) const = default;
 };
 
-/// Part of the limb between two latitudes (south to north), east and west; none where no part of the limb lies between
+/// Region between two latitudes, in the east and the west of the limb; nothing if no part of the limb lies between
 /// these latitudes.
 ///
-/// Given   sun_declination  how far the north pole is tipped towards the Sun
+/// Given   sun_declination  angle by which the north pole is tipped towards the Sun
 /// Throws  Error            when a latitude is outside ±90°, or south is north of north
 std::optional<Region> between_latitudes(algebra::Angle south, algebra::Angle north,
                                         algebra::Angle sun_declination, const Column& column);
@@ -112,7 +114,7 @@ struct Atmosphere {
   Figure earth{};
   Molecules molecules{};
   Column column{};  ///< outside all regions
-  Belts belts{};    ///< outside all regions; replace the column, unless empty
+  Belts belts{};    ///< outside all regions; unless empty, replace the column
   std::vector<Region> regions{};
 
   bool operator==(const Atmosphere&) const = default;
@@ -134,28 +136,28 @@ struct Atmosphere {
   /// Altitude where the air of the highest column ends [m].
   double top_m() const;
   double top_radius_m() const { return earth.equatorial_radius_m + top_m(); }
-  /// All columns: outside all regions first, then region by region; belts, where there are any, in the column's
-  /// place.
+  /// All columns: first those outside all regions, then those of each region. Belts, if there are any, take the
+  /// column's place.
   std::vector<const Column*> columns() const;
   /// Number of the region that contains a position angle, from 1; 0 outside all regions.
   std::size_t region_index(double position_angle_rad) const;
-  /// Weights of two columns' light at a position angle. They add up to 1; the second is 0 where there are no
-  /// belts.
+  /// Weights of the light from two columns at a position angle. They add up to 1; the second is 0 where there are
+  /// no belts.
   std::array<Share, 2> shares_at(double position_angle_rad) const;
-  /// Position angles, increasing from 0 to 2π, between which the weights of all columns are smooth: borders of regions
-  /// and middles of belts.
+  /// Position angles, increasing from 0 to 2π, between which the weights of all columns are smooth: the borders of
+  /// regions and the middles of belts.
   std::vector<double> seams_rad() const;
-  /// Whether a column has a weight anywhere on the limb, by column.
+  /// For each column, whether it has a weight anywhere on the limb.
   std::vector<bool> columns_in_use() const;
 };
 
-/// Air with every third of its belts, including the first and the last: cheap, for a coarse result.
+/// Air with only every third of its belts, including the first and the last: cheap, for a coarse result.
 Atmosphere with_fewer_belts(Atmosphere atmosphere);
 
 /// Air that has, column by column, the largest amount of dust, of ozone, of cloud and of stratospheric aerosol among
 /// several airs.
 ///
-/// Given   airs   one or more, which differ in these amounts alone and share their tables
+/// Given   airs   one or more, which differ only in these amounts and share their tables
 /// Throws  Error  when there are no airs, or they differ in anything else
 Atmosphere richest(std::span<const Atmosphere> airs);
 
@@ -192,17 +194,17 @@ enum Absorber : std::size_t {
 };
 using Amounts = std::array<double, absorbers>;
 
-/// Groups of the absorbers, of which a change of the air takes all: "air", "ozone", "dust", "aerosol" below the
+/// Group of each absorber; a change of the air affects a whole group: "air", "ozone", "dust", "aerosol" below the
 /// stratosphere, "stratosphere", "cloud", "gas".
 std::array<std::string_view, absorbers> absorber_groups();
 
-/// Multiplies a column's cloud, also a deck's, and its aerosol below the stratosphere.
+/// Multiplies a column's cloud (including a cloud deck) and its aerosol below the stratosphere by a factor.
 void scale_cloud_and_aerosol(Column& column, double factor);
 
 /// Whether a column has an absorber.
 bool has(const Column& column, Absorber absorber);
 
-/// Profile of one absorber at an altitude; 0 where the column has none.
+/// Profile of one absorber at an altitude; 0 if the column lacks the absorber.
 double profile(const Column& column, Absorber absorber, double altitude_m);
 
 /// Profiles of all absorbers at an altitude:
@@ -221,11 +223,11 @@ double profile(const Column& column, Absorber absorber, double altitude_m);
 ///     water_vapour       water_vapour_profile
 Amounts profiles(const Column& column, double altitude_m);
 
-/// Spectra of all absorbers: the factors that turn profiles into extinction [m⁻¹], and profiles summed along a
-/// path into optical depth. Ozone as a filter (OzonePath::filter) has 0.
+/// Spectra of all absorbers: the factors that turn profiles into extinction [m⁻¹], and profiles integrated along a
+/// path into optical depth. For ozone as a filter (OzonePath::filter) the factor is 0.
 Amounts spectra(const Column& column, const Optics& optics);
 
-/// Phase functions times albedo: light that each absorber scatters per steradian, over its extinction.
+/// Phase functions times albedo: ratio of the light that each absorber scatters per steradian to its extinction.
 ///
 ///     ω P(χ) / (4π)        P = 3/4 (1 + cos² χ) for air, (1 − g²) / (1 + g² − 2 g cos χ)^3/2 for aerosol
 ///
@@ -246,7 +248,7 @@ std::vector<double> breaks_m(const Column& column);
 /// Density ratio ρ/ρ₀ and its slope.
 ValueAndSlope density_ratio(const Column& column, double altitude_m);
 
-/// Refractivity n(h, λ) − 1: that of sea level times the density ratio (Gladstone–Dale).
+/// Refractivity n(h, λ) − 1: the value at sea level times the density ratio (Gladstone–Dale).
 double refractivity(const Column& column, const Optics& optics, double altitude_m);
 
 /// Least refractivity n₀ − 1 at sea level that traps light in the air: a ray can leave again only if n r rises
@@ -254,8 +256,8 @@ double refractivity(const Column& column, const Optics& optics, double altitude_
 ///
 ///     n₀ − 1 = −1 / (ρ/ρ₀ + R d(ρ/ρ₀)/dh)     at the ground, where density falls fastest
 ///
-/// Given     earth_radius_m  R, of the ground's curvature along the path
-/// Returned  1.636e-3 with R = 6378 km, six times that of air; infinite where refraction is off
+/// Given     earth_radius_m  R, radius of curvature of the ground along the path
+/// Returned  1.636e-3 with R = 6378 km, six times that of air; infinite if refraction is off
 double critical_refractivity(const Column& column, double earth_radius_m);
 
 /// Throws Error when the air traps light: names its refractivity and the largest one allowed.
@@ -264,8 +266,7 @@ void require_no_trap(const Column& column, double earth_radius_m, double refract
 /// Extinction [m⁻¹] at an altitude.
 double extinction_per_m(const Column& column, const Optics& optics, double altitude_m);
 
-/// Transmittance, 0 to 1, of cloud cover and of ozone as a filter (OzonePath::filter), for a ray that passed
-/// the limb.
+/// Transmittance, 0 to 1, of cloud cover and of ozone as a filter (OzonePath::filter), for a ray past the limb.
 ///
 /// Given  tangent_height_m  the ray's lowest altitude
 double limb_filter(const Column& column, const Optics& optics, double tangent_height_m);

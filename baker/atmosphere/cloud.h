@@ -5,34 +5,34 @@
 
 namespace coppermoon::atmosphere {
 
-/// Cubic step from 0 to 1 between t = 0 and 1, level at and beyond either end: how cloud and aerosol fade out.
+/// Cubic step from 0 to 1 between t = 0 and 1, flat at and beyond either end. Cloud and aerosol fade out this way.
 double smooth_step(double t);
 
-/// Largest distance of the tropopause of a day from its mean over the month [m].
+/// Largest distance between a day's tropopause and the monthly mean [m].
 inline constexpr double tropopause_wander_m = 2e3;
 
-/// Probability, in a metre of a ray's path under the tropopause, that the ray meets opaque cloud [m⁻¹].
+/// Probability, per metre of a ray's path under the tropopause, that the ray meets opaque cloud [m⁻¹].
 ///
 /// Satellites followed the setting Sun down to 7 km in 30 % of occultations in the tropics and in 60 % at high
-/// latitudes. With a probability independent of height (cloud_profile) that makes 1.74e-6 up to 10° and 1.46e-6
-/// at 65°, linear between. A factor for other latitudes is their cover by high cloud, over that between these
-/// two latitudes by the same line.
+/// latitudes. With a probability independent of height (cloud_profile), this gives 1.74e-6 up to 10° and 1.46e-6
+/// at 65°, linear between. Other latitudes have a factor: their cover by high cloud, relative to the cover that the
+/// same line between these two latitudes gives.
 ///
 /// Returned  1.1e-6 to 1.9e-6, least at 30° and 90°
-/// Accuracy  reproduces the 30 % and the 60 % to 0.02; elsewhere a third
+/// Accuracy  reproduces the 30 % and the 60 % to within 0.02; elsewhere a third
 /// Omits     season (other than the tropopause's), hemisphere, land and sea
 /// Source    Woodbury & McCormick (1983), Geophys. Res. Lett. 10, 1180; London (1957) and Telegadas & London
 ///           (1954) for high cloud by latitude
 double cloud_chance_per_m(algebra::Angle latitude);
 
-/// Probability of meeting cloud at an altitude, over the probability well below the tropopause: falls smoothly
+/// Probability of meeting cloud at an altitude, relative to that well below the tropopause. It falls smoothly
 /// from 1 to 0 between 2 km below and 2 km above the mean tropopause. A ray gets through with probability
 ///
 ///     exp(−∫ p ds)        p = cloud_chance_per_m × cloud_profile, some 1 / (600 km)
 ///
 /// as if clouds were independent of each other; the measured probability includes their length.
 ///
-/// Omits     heights where cloud is more frequent: below 7 km none are published
+/// Omits     heights at which cloud is more frequent: no frequencies below 7 km are published
 double cloud_profile(double tropopause_m, double altitude_m);
 
 /// Mean extinction by thin cirrus, which dims a ray without stopping it [m⁻¹]: present half of the time, one

@@ -10,7 +10,7 @@ struct ValueAndSlope {
   double value, slope_per_m;
 };
 
-/// Density of air over its sea-level value, ρ(h)/ρ₀.
+/// Ratio of the density of air to its sea-level value, ρ(h)/ρ₀.
 ///
 ///     T = T_b + L (H − H_b)        H = r₀ h / (r₀ + h)
 ///     ρ/ρ₀ = (ρ_b/ρ₀) (T/T_b)^(−1 − k/L)   or, where L = 0,   (ρ_b/ρ₀) exp(−k (H − H_b) / T_b)
@@ -26,7 +26,7 @@ double density_ratio_us_1976(double altitude_m);
 /// Density ratio ρ/ρ₀ and its analytic slope d(ρ/ρ₀)/dh.
 ValueAndSlope density_ratio_and_slope_us_1976(double altitude_m);
 
-/// Altitude where the US Standard Atmosphere ends, and the air of every model with it [m].
+/// Altitude at which the US Standard Atmosphere, and with it the air of every model, ends [m].
 inline constexpr double top_of_us_1976_m = 86e3;
 
 /// Altitudes where the slope of the US 1976 density jumps [m]: the tops of its layers, lowest first; the last

@@ -8,7 +8,7 @@ namespace coppermoon::atmosphere {
 /// Number density of oxygen molecules at sea level, US 1976 [m⁻³].
 inline constexpr double sea_level_oxygen_per_m3 = 0.209476 * 2.54693e25;
 
-/// Absorption coefficient of oxygen pairs (O₂–O₂), over the square of oxygen's number density.
+/// Absorption coefficient of oxygen pairs (O₂–O₂), divided by the square of oxygen's number density.
 ///
 /// Given     wavelength  380 to 780 nm
 /// Returned  [m⁵]        at most 1e-55, at 577 nm
@@ -28,7 +28,7 @@ double nitrogen_dioxide_cross_section_m2(algebra::Wavelength wavelength);
 
 /// Extinction at sea level by the bands of oxygen at 628, 688 and 762 nm, along rays that pass the limb:
 ///
-///     −ln T = extinction ∫ ρ/ρ₀ ds        T: the transmittance's mean over 20 nm
+///     −ln T = extinction ∫ ρ/ρ₀ ds        T: mean transmittance over 20 nm
 ///
 /// A band's transmittance is exp(−(C W)^0.5641), with W = ∫ ρ p^0.9353 ds. So −ln T grows with about the square root of
 /// W, and falls with the tangent height as the density does.
@@ -47,7 +47,7 @@ double oxygen_bands_per_m(algebra::Wavelength wavelength);
 ///
 /// Extinction goes as water^0.62; the band model has powers from 0.61 to 0.66.
 ///
-/// Given     water       over that of the US standard atmosphere (14 mm of precipitable water), 0 or more
+/// Given     water       relative to the US standard atmosphere (14 mm of precipitable water), 0 or more
 ///           wavelength  380 to 780 nm
 /// Returned  [m⁻¹]       at most 6.8e-6, at 725 nm and water = 1
 /// Accuracy  light lost, 15 %; tangent heights 2 to 8 km
@@ -56,14 +56,14 @@ double oxygen_bands_per_m(algebra::Wavelength wavelength);
 /// Source    as oxygen_bands_per_m
 double water_vapour_per_m(double water, algebra::Wavelength wavelength);
 
-/// Extinction by water vapour over that at sea level: (density of the vapour × p^0.66)^0.62.
+/// Ratio of extinction by water vapour to that at sea level: (density of the vapour × p^0.66)^0.62.
 ///
 /// Given     altitude_m  above sea level
 /// Accuracy  0.03
 /// Source    US standard atmosphere of Anderson et al. (1986), AFGL-TR-86-0110
 double water_vapour_profile(double altitude_m);
 
-/// Water vapour 5 km above a latitude in a season, over that of the US standard atmosphere: 0.3 to 2.4.
+/// Water vapour 5 km above a latitude in a season, relative to the US standard atmosphere: 0.3 to 2.4.
 ///
 /// Given   year   its fraction is the season
 /// Throws  Error  when the latitude is outside ±90°

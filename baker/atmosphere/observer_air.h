@@ -5,11 +5,11 @@
 
 namespace coppermoon::atmosphere {
 
-/// Air above an observer. Ozone and aerosol are off at 0.
+/// Air above an observer. A value of 0 switches ozone or aerosol off.
 struct ObserverAir {
   double ozone_du = 300;               ///< vertical column, 0 to 1000 DU
   double aerosol_optical_depth = 0.1;  ///< vertical, at 550 nm, above the observer; 0 to 10
-  double angstrom_exponent = 1.3;  ///< å: the aerosol's optical depth goes as λ^−å; −1 to 4
+  double angstrom_exponent = 1.3;  ///< å: the aerosol's optical depth varies as λ^−å; −1 to 4
   double elevation_m = 0;          ///< of the observer above the sea, −500 to 100 000 m
 };
 
@@ -22,9 +22,9 @@ struct Sightline {
 /// Throws Error when a term is outside its range: names the term, its unit and its range.
 void require_valid(const ObserverAir& air);
 
-/// Pressure of the air at an elevation, over pressure at sea level.
+/// Ratio of the air pressure at an elevation to that at sea level.
 ///
-///     (1 − 0.0065 h / 288.15)^5.2559 up to 11 km; above, falling by e every 6341.6 m
+///     (1 − 0.0065 h / 288.15)^5.2559 up to 11 km; above, falling by a factor e every 6341.6 m
 ///
 /// Given     elevation_m  h, geometric
 /// Accuracy  0.3 % of US 1976 up to 11 km, 6 % up to 30 km

@@ -15,13 +15,13 @@ namespace coppermoon::atmosphere {
 /// Source    Serdyuchenko, Gorshelev et al. (2014), Atmos. Meas. Tech. 7, 625; 233 K
 double ozone_cross_section_m2(algebra::Wavelength wavelength);
 
-/// Share of the vertical ozone column in a metre of altitude [m⁻¹]: the integral from 0 to 86 km is
+/// Share of the vertical ozone column per metre of altitude [m⁻¹]. Its integral from 0 to 86 km is
 /// 1; share times column [m⁻²] is the number density.
 ///
 /// Given     altitude_m  below 2 km the value at 2 km; above 86 km 0
 /// Returned  [m⁻¹]       at most 5.2e-5, at 22 km
 /// Accuracy  the printed profile at every 2 km from 2 to 74 km, a smooth curve of the logarithm
-///           between them; the printed profile's column is 347 DU, where its text says 345
+///           between them; the printed profile's column is 347 DU, although its text says 345
 /// Omits     season, latitude and weather: the peak lies at 26 km in the tropics, 18 km at the poles
 /// Source    U.S. Standard Atmosphere 1976, mid-latitude ozone (Krueger & Minzner 1976)
 double ozone_profile_per_m(double altitude_m);
@@ -42,7 +42,7 @@ class OzoneClimate {
   /// Vertical column [DU]: 250 in the tropics, 150 to 440 elsewhere.
   double column_du() const { return column_du_; }
 
-  /// Share of that column in a metre of altitude [m⁻¹], 0 to 86 km.
+  /// Share of the vertical column per metre of altitude [m⁻¹], 0 to 86 km.
   double profile_per_m(double altitude_m) const;
 
  private:
@@ -64,8 +64,8 @@ inline constexpr double grazing_ozone_air_mass = 24.1;
 /// Given     dobson_units  vertical column, 0 to 1000 DU; the mean is about 300, US 1976 has 345
 /// Omits     differences between low rays, which cross more ozone, and high ones; the layer's thickness
 /// Throws    Error         when an argument is outside its range
-/// Source    Yapo & Cutler (2009) §3.5 use one filter for the total mass of ozone, whose figures they do not
-///           print; the grazing air mass is ours
+/// Source    Yapo & Cutler (2009) §3.5 use one filter for the total mass of ozone, but do not print its figures;
+///           the grazing air mass is ours
 double ozone_filter_yapo_cutler(algebra::Wavelength wavelength, double dobson_units);
 
 }  // namespace coppermoon::atmosphere

@@ -17,26 +17,26 @@ namespace coppermoon::atmosphere {
 ///                tropospheric aerosol of 0.07, cloud to 10 km over 70 % of the limb
 ///     standard   air of a month in 13 belts of latitude (see climatic), with tropospheric aerosol of 0.07,
 ///                cloud and cirrus by probability, oxygen's pairs and bands, nitrogen dioxide, water vapour
-///     calibrated standard, with 0.60 of its probability of cloud: one number, fitted to the whole Moon of five eclipses
-///                and the umbra of a sixth as instruments measured them. Each left out in turn, it foretells
+///     calibrated standard, with its probability of cloud times 0.60: one number, fitted to measurements of the whole
+///                Moon in five eclipses and of the umbra in a sixth. With each left out in turn, it predicts
 ///                them to 0.21 mag rms, "standard" to 0.25
 ///     none       the bare Earth, an ellipsoid
 std::span<const std::string_view> preset_names();
 
-/// Atmosphere of that name.
+/// Atmosphere of the preset with the given name.
 ///
 /// Given   sun_declination  tips the ellipsoid's pole
 ///         year             with its fraction; only "standard" and "calibrated" depend on it
 /// Throws  Error            when there is no preset of that name: lists the names
 Atmosphere preset(std::string_view name, algebra::Angle sun_declination, double year = 2000);
 
-/// Column whose terms that depend on latitude and month are replaced by those of a latitude and a month:
-/// density, ozone, stratospheric aerosol, tropopause, the free troposphere's aerosol, probability of cloud, water vapour.
+/// Replaces the terms of a column that depend on latitude and month by their values for the given ones:
+/// density, ozone, stratospheric aerosol, tropopause, free-tropospheric aerosol, probability of cloud, water vapour.
 ///
-/// Given  year  with its fraction, which is the month
+/// Given  year  its fraction determines the month
 Column climatic(Column column, algebra::Angle latitude, double year);
 
-/// Thirteen belts with the same column, 15° of position angle apart. In the air of a month, light differs
+/// Thirteen belts with the same column, 15° of position angle apart. In a month's air, light differs
 /// from that with 25 belts by 0.7 % rms, 3 % at worst.
 Belts belts_of(const Column& column);
 

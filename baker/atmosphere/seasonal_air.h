@@ -8,19 +8,19 @@
 
 namespace coppermoon::atmosphere {
 
-/// A number in the model atmospheres of Anderson et al. (1986).
+/// A number for each of the model atmospheres of Anderson et al. (1986).
 struct ByModel {
   double tropical, midlatitude_summer, midlatitude_winter, subarctic_summer, subarctic_winter;
 };
 
-/// Number over a latitude in a season, interpolated between the models as SeasonalAir's temperature.
+/// Number for a latitude and a season, interpolated between the models like the temperature in SeasonalAir.
 ///
 /// Given   year   its fraction is the season
 /// Throws  Error  when the latitude is outside ±90°
 double between_models(const ByModel& models, algebra::Angle latitude, double year);
 
-/// Air over a latitude in a season. Temperature is interpolated between model atmospheres; density follows by
-/// hydrostatic equilibrium over 1013.25 hPa at sea level.
+/// Air over a latitude in a season. Temperature is interpolated between model atmospheres; density follows from
+/// hydrostatic equilibrium with 1013.25 hPa at sea level.
 ///
 ///     d ln ρ/dh = −(g M / R + dT/dh) / T          g = g₀ (r₀ / (r₀ + h))²
 ///
@@ -37,13 +37,13 @@ class SeasonalAir {
   /// Throws  Error  when the latitude is outside ±90°
   SeasonalAir(algebra::Angle latitude, double year);
 
-  /// Density over the sea-level density of US 1976, and its slope; 0 above 86 km.
+  /// Ratio of the density to the sea-level density of US 1976, and its slope; 0 above 86 km.
   ValueAndSlope density_ratio(double altitude_m) const;
 
-  /// Pressure over 1013.25 hPa.
+  /// Ratio of the pressure to 1013.25 hPa.
   double pressure_ratio(double altitude_m) const;
 
-  /// Altitude where pressure over 1013.25 hPa has this value, 0 to 86 km [m].
+  /// Altitude at which the pressure is this fraction of 1013.25 hPa, 0 to 86 km [m].
   double altitude_m(double pressure_ratio) const;
 
  private:

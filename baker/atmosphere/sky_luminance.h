@@ -6,7 +6,7 @@
 
 namespace coppermoon::atmosphere {
 
-/// Luminance [cd/m²] of a surface brightness in V magnitudes per square arc second.
+/// Luminance [cd/m²] for a surface brightness in V magnitudes per square arc second.
 ///
 ///     1.08e5 · 10^(−0.4 m)
 ///
@@ -15,14 +15,14 @@ namespace coppermoon::atmosphere {
 /// Source  the literature's factor 1.08e5; the Sun's V = -26.76 and 1.28e5 lx confirm it to 3 %
 double luminance_of_magnitude_cd_m2(double mag_per_arcsec2);
 
-/// Extinction of the air above an observer in V, at the zenith [mag].
+/// Extinction by the air above an observer, in the V band at the zenith [mag].
 ///
 ///     k = 2.5 lg e · τ(550 nm)        τ: Rayleigh scattering, ozone and aerosol (vertical_depths)
 ///
 /// Throws  Error  when a term of the air is outside its range
 double visual_extinction_mag(const ObserverAir& air);
 
-/// Air mass of light that is scattered or emitted along a line of sight.
+/// Air mass for light that is scattered or emitted along a line of sight.
 ///
 ///     X = (1 − 0.96 sin² z)^−½        z: zenith distance
 ///
@@ -35,47 +35,47 @@ double sky_air_mass(algebra::Angle altitude);
 ///
 ///     L₀ X 10^(−0.4 k (X − 1))        L₀: 21.9 mag/arcsec²
 ///
-/// Given     extinction_mag  k, of visual_extinction_mag
+/// Given     extinction_mag  k, from visual_extinction_mag
 /// Returned  [cd/m²]         1.9e-4 at the zenith, twice as much at 20 degrees
-/// Omits     towns, Milky Way, zodiacal light; the sunspot cycle, by which it varies by a factor of two
+/// Omits     towns, Milky Way, zodiacal light; the sunspot cycle, which changes the airglow by a factor of two
 /// Source    Krisciunas & Schaefer (1991), PASP 103, 1033, eq. 2
 double airglow_cd_m2(algebra::Angle altitude, double extinction_mag);
 
 /// Body that lights the air.
 struct SkyLamp {
-  double magnitude = 0;     ///< V, above the air; infinite of a body that is dark
+  double magnitude = 0;     ///< V, above the air; infinite for a dark body
   algebra::Angle altitude;  ///< airless
 };
 
 /// Direction of a line of sight.
 struct SkyDirection {
-  algebra::Angle altitude, from_lamp;  ///< from_lamp: angle between it and the body
+  algebra::Angle altitude, from_lamp;  ///< from_lamp: angle between this direction and the body
 };
 
-/// Terms of moonlight that the air scatters, each over the light's transmittance and share that is scattered.
+/// Terms of moonlight that the air scatters, each divided by the light's transmittance and its scattered share.
 ///
 ///     molecules 10^5.36 (1.06 + cos²ρ)        aerosol (a⁴ + b⁴)^¼, a = 10^(6.15 − ρ/40°), b = 6.2e7 / (1 + (ρ/1°)²)
 ///
 /// Given   from_lamp  ρ, 0 to 180 degrees; within a degree, where optics and dust make most of an aureole, it is level
-/// Source  Krisciunas & Schaefer (1991), eqs. 17 to 21. They take 6.2e7 (ρ/1°)^−2 below 10 degrees, with a step of a fifth
-///         there
+/// Source  Krisciunas & Schaefer (1991), eqs. 17 to 21. They take 6.2e7 (ρ/1°)^−2 below 10 degrees, with a step of a
+///         fifth there
 struct ScatteringTerms {
   double molecules, aerosol;
 };
 ScatteringTerms scattering_terms(algebra::Angle from_lamp);
 
-/// Luminance of moonlight that a clear sky scatters.
+/// Luminance of a clear sky due to scattered moonlight.
 ///
 ///     B = f(ρ) 10^(−0.4 (m + 16.57)) 10^(−0.4 k X_m) (1 − 10^(−0.4 k X)) nL
 ///
 /// with f the sum of scattering_terms, X the air mass of the line of sight, X_m that of the Moon, and 1 nL = 10⁻⁵/π
 /// cd/m². It fades out while the Moon is within 0.3 degrees of the horizon.
 ///
-/// Given     extinction_mag  k, of visual_extinction_mag
+/// Given     extinction_mag  k, from visual_extinction_mag
 /// Returned  [cd/m²]         0 for a Moon below the horizon
-/// Accuracy  8 to 23 %, of the formula; at sea level, where the air holds more aerosol than on Mauna Kea, some 0.3 mag
-/// Omits     polarisation; that red light of a total eclipse is scattered less than white light of its magnitude, by a
-///           tenth
+/// Accuracy  8 to 23 % for the formula; at sea level, where the air holds more aerosol than on Mauna Kea, some 0.3 mag
+/// Omits     polarisation; that the red light of a total eclipse is scattered a tenth less than white light of the
+///           same magnitude
 /// Source    Krisciunas & Schaefer (1991), PASP 103, 1033
 double moonlit_sky_cd_m2(const SkyLamp& moon, const SkyDirection& towards, double extinction_mag);
 

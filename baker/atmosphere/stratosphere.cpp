@@ -60,7 +60,7 @@ const Profiles& profiles_of_lowtran() {
   return profiles;
 }
 
-/// Vertical optical depths of the background, of moderate, high and extreme aerosol.
+/// Vertical optical depths of background, moderate, high and extreme aerosol.
 constexpr std::array<double, 4> graded_depths{0.0072, 0.0269, 0.0843, 0.257};
 constexpr std::array<double, 4> grades{1, 2, 3, 4};
 
@@ -125,7 +125,7 @@ const BandRecord& record() {
   return record;
 }
 
-/// 0 from 2 km under the tropopause down, 1 from the tropopause up.
+/// Factor that is 0 at 2 km or more below the tropopause, and 1 above the tropopause.
 double over_the_tropopause(double altitude_m, double tropopause_m) {
   return smooth_step((altitude_m - tropopause_m) / 2e3 + 1);
 }

@@ -8,14 +8,14 @@
 
 namespace coppermoon::atmosphere {
 
-/// Load of sulphuric acid and ash in the stratosphere, from none through years without eruptions (background)
-/// to a fresh eruption (extreme). Vertical optical depths at 550 nm, above 9 km: 0, 0.008, 0.028, 0.086, 0.262.
+/// Amount of sulphuric acid and ash in the stratosphere, from none through years without eruptions (background)
+/// to a fresh eruption (extreme). Vertical optical depths at 550 nm, above 9 km, are 0, 0.008, 0.028, 0.086, 0.262.
 enum class StratosphericAerosol { none, background, moderate, high, extreme };
 
 /// Extinction by stratospheric aerosol at 550 nm [m⁻¹].
 ///
 /// Given     altitude_m  from 11 down to 9 km, where tropospheric aerosol takes over, the extinction fades
-///                       out; above 100 km it is 0
+///                       out; above 100 km the extinction is 0
 /// Returned  [m⁻¹]       at 20 km 5.1e-7, 1.35e-6, 8.4e-6, 5.5e-5, background to extreme
 /// Accuracy  the printed profiles at their altitudes; optical depths above 11 km are 0.0072, 0.0269, 0.0844
 ///           and 0.260, of the printed profiles 0.0072, 0.0269, 0.0843 and 0.257
@@ -47,7 +47,7 @@ double stratospheric_spectrum(StratosphericAerosol aerosol, algebra::Wavelength 
 ///           1850; Toohey & Sigl (2017) before, as in IPCC AR6 WG1 ch. 7
 double stratospheric_optical_depth(double year, algebra::Angle latitude);
 
-/// Standard error of that optical depth, as global mean.
+/// Standard error of stratospheric_optical_depth, as a global mean.
 ///
 /// Returned  40 % of it before 1850, 30 % to 1978, 10 % to 2016, 15 % to 2021, 25 % to 2024, 30 % in 2025; from 2026 on
 ///           0.003, half the width within which 68 of 100 months of 1997 to 2025 lie: a great eruption is not in it
@@ -64,42 +64,44 @@ double stratospheric_exponent(double year, algebra::Angle latitude);
 /// Profile and colour of stratospheric aerosol of any optical depth.
 class StratosphericLayer {
  public:
-  /// Layer of an optical depth, with the profile and spectrum of LOWTRAN 7: between the two named aerosols of
-  /// neighbouring optical depth (in the logarithm), beyond the first and the last theirs. The profile begins at the
-  /// tropopause, not at 11 km: altitudes from there to 35 km are stretched.
+  /// Layer with a given optical depth. Profile and spectrum are LOWTRAN 7's, interpolated (in the logarithm) between
+  /// the two named aerosols of neighbouring optical depth, and held beyond the first and the last. The profile begins
+  /// at the tropopause, not at 11 km: altitudes from there to 35 km are stretched.
   ///
   /// Given   optical_depth  vertical, at 550 nm, 0 to 2
   ///         tropopause_m   5 to 20 km
   /// Throws  Error          when an argument is outside its range
   StratosphericLayer(double optical_depth, double tropopause_m);
 
-  /// Layer of a month over a latitude. From 1979 on it has optical depths of its own below 16 km, from 16 to 20 km
-  /// and above, each with the profile of eruptions' aerosol (EVA_H), fading out within 2 km under the tropopause; its
-  /// spectrum is between those of LOWTRAN 7 by Ångström's exponent. Before 1979 it is LOWTRAN's of that optical depth.
+  /// Layer for a month over a latitude. From 1979 on it has separate optical depths below 16 km, from 16 to 20 km
+  /// and above, each with the profile of eruptions' aerosol (EVA_H), fading out within 2 km under the tropopause. Its
+  /// spectrum lies between those of LOWTRAN 7, according to Ångström's exponent. Before 1979 the layer is LOWTRAN's
+  /// for the month's optical depth.
   static StratosphericLayer of_month(double year, algebra::Angle latitude, double tropopause_m);
 
-  /// Layer with this layer's profile and another optical depth, 0 to 2; its spectrum changes as that of LOWTRAN's
-  /// aerosol does from the one to the other.
+  /// Layer with the same profile and another optical depth, 0 to 2. Its spectrum changes as that of LOWTRAN's
+  /// aerosol does between the two optical depths.
   StratosphericLayer with_optical_depth(double optical_depth) const;
 
   double optical_depth() const { return optical_depth_; }
-  /// Whether the profile is a month's own, which another optical depth scales.
+  /// Whether the profile comes from the record for a month; another optical depth then only scales it.
   bool recorded() const { return recorded_ != nullptr; }
   /// Extinction at 550 nm [m⁻¹].
   double extinction_per_m(double altitude_m) const;
   /// Ratio of extinction at a wavelength to extinction at 550 nm.
   ///
-  /// Given  factor  on the optical depth, for its spectrum; as with_optical_depth has it
+  /// Given  factor  multiplies the optical depth, for its effect on the spectrum as in with_optical_depth
   double spectrum(algebra::Wavelength wavelength, double factor = 1) const;
-  /// Named aerosol of the most similar spectrum.
+  /// Named aerosol with the most similar spectrum.
   StratosphericAerosol nearest() const;
 
  private:
   double optical_depth_, tropopause_m_;
-  double grade_;  ///< place among LOWTRAN's spectra, and its profiles: 1 background to 4 extreme
+  double
+      grade_;  ///< place among LOWTRAN's spectra and profiles, from 1 (background) to 4 (extreme)
   double scale_ = 1;
   std::shared_ptr<const algebra::MonotoneCubic>
-      recorded_{};  ///< extinction [1/m]; without: LOWTRAN's
+      recorded_{};  ///< extinction [1/m]; nullptr: LOWTRAN's
 
   double unscaled(double altitude_m) const;
   void normalise();  ///< sets the scale

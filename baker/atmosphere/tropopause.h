@@ -15,17 +15,17 @@ namespace coppermoon::atmosphere {
 /// Source    Mateus, Mendes & Pires (2022), Remote Sens. 14, 4303: surface of 3.5 potential vorticity units
 double tropopause_m(algebra::Angle latitude, double year);
 
-/// Linear interpolation in a table that covers the year and wraps around: two entries, and the second's weight.
+/// Linear interpolation in a table that covers the year and wraps around: two entries and the weight of the second.
 struct SeasonShare {
   int before, after;  ///< 0 to `steps` − 1
   double share_after;
 };
 
-/// Entries of a table of the year that a moment lies between.
+/// The two entries of a table over the year between which a moment lies.
 ///
 /// Given  year   its fraction is the season
 ///        steps  number of entries
-///        first  fraction of the year where the first entry stands, as 0.04 for mid January
+///        first  fraction of the year at the first entry, such as 0.04 for mid January
 SeasonShare season_share(double year, int steps, double first);
 
 }  // namespace coppermoon::atmosphere

@@ -46,7 +46,7 @@ LightTable read_table() {
   return all;
 }
 
-/// How much each air of the table counts in that of an observer: their sum is 1.
+/// Weight of each air of the table in the observer's air; the weights add up to 1.
 std::array<double, airs> shares_of(const ObserverAir& air) {
   constexpr double standard_aerosol = 0.1, clear_aerosol = 0.03, hazy_aerosol = 0.3,
                    least_aerosol = 0.01, most_aerosol = 1, standard_du = 300, more_du = 450,
@@ -66,8 +66,8 @@ std::array<double, airs> shares_of(const ObserverAir& air) {
   return shares;
 }
 
-/// Logarithms of light for a Sun and an air: [altitude][azimuth][channel]. Below the table's last Sun all of it falls as its
-/// mean does before.
+/// Logarithms of light for one altitude of the Sun and one air: [altitude][azimuth][channel]. Below the table's last
+/// altitude of the Sun, all values fall at the rate of their mean just above it.
 std::vector<double> light_under(const LightTable& table, double sun_deg,
                                 const std::array<double, airs>& shares) {
   const auto& suns_deg = table.suns_deg;
@@ -108,14 +108,14 @@ std::array<double, columns> around(const std::array<double, azimuths_deg.size()>
   return light;
 }
 
-/// Leaves one maximum along a vertical: what interpolation between Suns puts into it is less than 1 %.
+/// Leaves one maximum along a vertical. The dips come from interpolation between Suns and are less than 1 %.
 void fill_dips(std::vector<double>& up) {
   const auto greatest = std::ranges::max_element(up);
   for (auto i = up.begin(); i != greatest; ++i) *(i + 1) = std::max(*i, *(i + 1));
   for (auto i = up.end() - 1; i > greatest; --i) *(i - 1) = std::max(*i, *(i - 1));
 }
 
-/// Coordinate along a vertical in which light bends evenly.
+/// Coordinate along a vertical in which the curvature of light is even.
 double height_of(double altitude_deg) { return std::log(altitude_deg + 0.8); }
 
 /// Spreads the kinks that a cubic of continuous slope has at its nodes over a degree.

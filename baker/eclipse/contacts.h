@@ -15,11 +15,11 @@ namespace coppermoon::eclipse {
 
 enum class EclipseType { penumbral, partial, total };
 
-/// Name of a type: "penumbral", "partial", "total".
+/// The name of a type: "penumbral", "partial" or "total".
 const char* name(EclipseType type);
 
 /// Contacts of the Moon's disc with the shadow: external (P1, P4 with the penumbra; U1, U4 with the umbra) and
-/// internal (U2, U3 with the umbra). Empty where the eclipse has no such contact.
+/// internal (U2, U3 with the umbra). A contact is empty if the eclipse does not have it.
 struct Contacts {
   std::optional<almanac::Instant> P1, U1, U2, U3, U4, P4;
 };
@@ -27,14 +27,14 @@ struct Contacts {
 struct Eclipse {
   almanac::Instant greatest;  ///< least angle between the Moon's centre and the axis
   EclipseType type = EclipseType::penumbral;
-  /// axis distance of the Moon's centre at greatest eclipse, in Earth radii, north positive
+  /// distance of the Moon's centre from the axis at greatest eclipse, in Earth radii, positive to the north
   double gamma = 0;
   double umbral_magnitude = 0, penumbral_magnitude = 0;  ///< share of the Moon's diameter immersed
   Contacts contacts;
-  almanac::Calendar calendar = almanac::Calendar::gregorian;  ///< of dates in reports
+  almanac::Calendar calendar = almanac::Calendar::gregorian;  ///< for dates in reports
 };
 
-/// Contacts by their names, in order of time: "P1" … "P4".
+/// The contacts with their names, "P1" … "P4", in order of time.
 algebra::ByName<almanac::Instant> by_name(const Contacts& contacts);
 
 template <class Field>
@@ -57,35 +57,35 @@ void describe(Field&& is, const Eclipse& eclipse) {
      "moments by the names of the contacts that it has: P1, U1, U2, U3, U4, P4, UTC");
 }
 
-/// Title in the eclipse's calendar, as "Total eclipse of the Moon, 2018-07-27".
+/// Title with the date in the eclipse's calendar, such as "Total eclipse of the Moon, 2018-07-27".
 std::string title(const Eclipse& eclipse);
 
 /// Eclipses whose greatest phase lies between two moments, in order of time.
 ///
-/// Full Moons near a node are searched with moon98, and eclipses refined with `theory`.
+/// moon98 searches the full Moons near a node, and `theory` refines the eclipses found.
 ///
 /// Accuracy  against 55 published times, 1951 to 2025: 7.9 s worst and 2.4 s on average with
 ///           elp_2000_82b, 11.9 s and 4.0 s with moon98 (36 s is possible). The largest differences are in 2025,
 ///           where the published times use a predicted ΔT (Espenak & Meeus 2006) that is 5.7 s too large. Before
-///           1900 and after 2100, that of the ephemerides and ΔT
-/// Throws    Error  when `to` is before `from`
+///           1900 and after 2100, the accuracy is that of the ephemerides and ΔT
+/// Throws    Error  if `to` is before `from`
 std::vector<Eclipse> eclipses_between(
     const almanac::Instant& from, const almanac::Instant& to, ShadowConvention convention,
     almanac::LunarTheory theory = almanac::LunarTheory::elp_2000_82b);
 
-/// Contacts and the greatest phase by their names ("P1" … "greatest" … "P4"), in order of time.
+/// The contacts and the greatest phase with their names, "P1" … "greatest" … "P4", in order of time.
 std::vector<std::pair<std::string, almanac::Instant>> contacts_of(const Eclipse& eclipse);
 
-/// Eclipse whose greatest phase, rounded to the second, falls within the 24 h after a moment, if there is one.
+/// The eclipse, if any, whose greatest phase, rounded to the second, falls within the 24 h after midnight.
 std::optional<Eclipse> eclipse_of_day(const almanac::Instant& midnight,
                                       ShadowConvention convention);
 
-/// Eclipse in progress at a moment, from P1 to P4, if there is one. Contacts are rounded to the second, as they
+/// The eclipse, if any, that is in progress at a moment, from P1 to P4. Contacts are rounded to the second, as they
 /// are written.
 std::optional<Eclipse> eclipse_at(const almanac::Instant& instant, ShadowConvention convention,
                                   almanac::LunarTheory theory = almanac::LunarTheory::elp_2000_82b);
 
-/// The eclipse whose greatest phase is nearest in time, before or after.
+/// The eclipse whose greatest phase is nearest in time to a moment, before or after it.
 Eclipse nearest_eclipse(const almanac::Instant& instant, ShadowConvention convention,
                         almanac::LunarTheory theory = almanac::LunarTheory::elp_2000_82b);
 

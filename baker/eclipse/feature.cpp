@@ -21,7 +21,7 @@ void require_on_moon(const SelenographicPoint& place) {
   algebra::require_within("lunar longitude [deg]", algebra::in_degrees(place.longitude), -360, 360);
 }
 
-/// Geocentric position of a feature, GCRS axes; the Moon's orientation is corrected for light time.
+/// Geocentric position of a feature in GCRS axes, with the Moon's orientation corrected for light time.
 glm::dvec3 position_m(const glm::dvec3& direction, const glm::dvec3& moon_m, const Instant& when) {
   const double light_time_s = glm::length(moon_m) / almanac::speed_of_light_m_per_s;
   const glm::dmat3 selenographic_from_gcrs =
@@ -30,7 +30,7 @@ glm::dvec3 position_m(const glm::dvec3& direction, const glm::dvec3& moon_m, con
                       (glm::transpose(selenographic_from_gcrs) * direction);
 }
 
-/// Angle, seen from the Earth, by which a feature is outside the umbra.
+/// How far a feature is outside the umbra, as an angle seen from the Earth.
 double outside_umbra_rad(const Lunation& lunation, const glm::dvec3& direction, double seconds) {
   const Sighting moon = sighting_at(lunation, seconds);
   const ShadowPlace place = place_in_shadow(
@@ -40,7 +40,7 @@ double outside_umbra_rad(const Lunation& lunation, const glm::dvec3& direction, 
          algebra::in_radians(radii.umbra);
 }
 
-/// Minimum of a unimodal f between a and b [s], to 0.1 s, by golden section.
+/// Finds the minimum of a unimodal f between a and b [s], to 0.1 s, by golden-section search.
 template <class Function>
 double least_between(Function f, double a, double b) {
   constexpr double share = std::numbers::phi - 1;

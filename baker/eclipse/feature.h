@@ -11,7 +11,7 @@
 
 namespace coppermoon::eclipse {
 
-/// Times at which the umbra's edge reaches and leaves a place on the Moon; both empty where it does not reach it.
+/// Times at which the umbra's edge reaches and leaves a place on the Moon; both empty if the umbra misses the place.
 struct FeatureTimes {
   std::optional<almanac::Instant> immersion, emersion;
 };
@@ -22,15 +22,15 @@ void describe_times(Field&& is, const FeatureTimes& times) {
   is("emersion", algebra::if_any(times.emersion), "moment at which the umbra's edge leaves it");
 }
 
-/// Times of the umbra's edge at a lunar feature, always by ShadowConvention::danjon_oblate. Places on the far side,
-/// which are not seen, have their times, too.
+/// Times at which the umbra's edge crosses a lunar feature, always with ShadowConvention::danjon_oblate. Places on the
+/// far side, which are not visible, have times too.
 ///
 /// Given     place     latitude −90° to 90°, longitude −360° to 360°
 /// Accuracy  against the 16 published times of 3 March 2007 (to the minute): 32 s worst, 14 s on
 ///           average
-/// Omits     the height of the ground over the mean sphere: 3 km at the disc's edge is 3 s
-/// Throws    Error  when the place is outside its range
-/// Source    the craters' timings of Espenak, NASA Eclipse Home Page
+/// Omits     the height of the ground above the mean sphere: 3 km at the disc's edge would change a time by 3 s
+/// Throws    Error  if the place is out of range
+/// Source    crater timings by Espenak, NASA Eclipse Home Page
 FeatureTimes feature_times(const Eclipse& eclipse, const almanac::SelenographicPoint& place,
                            almanac::LunarTheory theory = almanac::LunarTheory::elp_2000_82b);
 

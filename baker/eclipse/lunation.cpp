@@ -17,10 +17,10 @@ constexpr double sample_spacing_s = 3 * 3600;
 constexpr double synodic_month_days = 29.530588861;
 constexpr double first_full_moon_tt = 2451550.09766 + 0.5 * synodic_month_days;
 
-/// Centuries since 2000 of a full Moon.
+/// Centuries from 2000 to a full Moon.
 double centuries(double number) { return (number + 0.5) / 1236.85; }
 
-/// Mean full Moon by Meeus (1998), equation 49.1.
+/// Moment of a mean full Moon, from Meeus (1998), equation 49.1.
 Instant mean_full_moon(int number) {
   const double t = centuries(number);
   return almanac::later({first_full_moon_tt, 0},
@@ -44,7 +44,7 @@ glm::dvec2 across_axis(const glm::dvec3& sun_m, const glm::dvec3& moon_m,
   return glm::dvec2(shadow_from_gcrs * glm::normalize(moon_m));
 }
 
-/// Time at which p(t) is nearest to the origin, iterated with a straight line through two neighbouring points.
+/// Time at which p(t) is nearest to the origin, found by iterating a straight line through two neighbouring points.
 template <class Place>
 double time_of_least_distance_s(Place place, double tolerance_s) {
   constexpr double half_step_s = 300;

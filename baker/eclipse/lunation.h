@@ -13,17 +13,17 @@ namespace coppermoon::eclipse {
 /// Number of the full Moon nearest to a moment; 0 is 21 January 2000.
 int full_moon_number(const almanac::Instant& instant);
 
-/// Whether the Moon may touch the penumbra at that full Moon: its mean argument of latitude is
-/// within 21° of a node.
+/// Whether the Moon may touch the penumbra at a full Moon: whether its mean argument of latitude is within 21° of a
+/// node.
 ///
 /// Source  Meeus (1998), Astronomical Algorithms, chapter 54
 bool eclipse_is_possible(int number);
 
-/// Moment at which the Moon is nearest to the shadow axis at a full Moon, by moon98; accurate to a minute.
+/// Moment at which the Moon is nearest to the shadow axis around a full Moon, computed with moon98 to a minute.
 almanac::Instant nearest_to_axis(int number);
 
-/// Fast ephemeris for the hours around one full Moon: the Sun by a parabola through three samples; the Moon by
-/// moon98 and, for elp_2000_82b, a parabola through three samples of the difference between the theories.
+/// Fast ephemeris for the hours around one full Moon. The Sun follows a parabola through three samples. The Moon
+/// follows moon98 and, for elp_2000_82b, a parabola through three samples of the difference between the theories.
 struct Lunation {
   almanac::Instant middle;
   glm::dvec3 celestial_pole;
@@ -42,7 +42,7 @@ struct Sighting {
 
 Sighting sighting_at(const Lunation& lunation, double seconds_after_middle);
 
-/// Moment of the Moon's least angle from the axis, seen from the Earth, in seconds after the middle.
+/// When the Moon's angle from the axis, seen from the Earth, is smallest, in seconds after the middle of the lunation.
 double least_axis_angle_s(const Lunation& lunation);
 
 }  // namespace coppermoon::eclipse

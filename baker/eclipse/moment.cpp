@@ -20,7 +20,7 @@ using almanac::Instant;
 
 constexpr double half_a_month_s = 15 * 86400.;
 
-/// Contact and seconds after it, of a text as "P1-10min".
+/// A contact and the seconds after it, read from a text such as "P1-10min".
 struct FromContact {
   std::string name;
   std::optional<double> seconds;
@@ -32,12 +32,11 @@ FromContact from_contact(const std::string& text) {
   const auto seconds =
       algebra::number_with_unit(text.substr(sign + 1), {{"min", 60}, {"h", 3600}, {"s", 1}});
   const double way = text[sign] == '-' ? -1 : 1;
-  const bool near =
-      seconds && std::abs(*seconds) <= half_a_month_s;  // not so where it is no number
+  const bool near = seconds && std::abs(*seconds) <= half_a_month_s;  // false if it is not a number
   return {text.substr(0, sign), near ? std::optional(way * *seconds) : std::nullopt};
 }
 
-/// Whether a text matches a whole pattern, in which 0 stands for any digit.
+/// Whether a whole text matches a pattern in which 0 stands for any digit.
 bool is_like(std::string_view text, std::string_view pattern) {
   return text.size() == pattern.size() &&
          std::ranges::equal(text, pattern, [](char letter, char wanted) {
@@ -45,7 +44,7 @@ bool is_like(std::string_view text, std::string_view pattern) {
          });
 }
 
-/// A text in small letters, without spaces.
+/// A text in lower case, without spaces.
 std::string plain(std::string_view text) {
   std::string letters;
   for (const char letter : text)

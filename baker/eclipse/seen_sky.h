@@ -12,13 +12,13 @@
 
 namespace coppermoon::eclipse {
 
-/// Sun, Moon and shadow at a moment, and the Moon as a place sees it.
+/// Sun, Moon and shadow at a moment, and the Moon as seen from a place.
 struct SeenSky {
   almanac::SkyState sky;
-  std::optional<almanac::ObserverView> view;  ///< none without a place
+  std::optional<almanac::ObserverView> view;  ///< empty if no place is given
 };
 
-/// Describes the numbers of Sun, Moon and shadow.
+/// Describes the numbers for the Sun, the Moon and the shadow.
 template <class Field>
 void describe_sky(Field&& is, const almanac::SkyState& sky) {
   namespace unit = algebra::unit;
@@ -52,7 +52,7 @@ void describe_sky(Field&& is, const almanac::SkyState& sky) {
       unit::kilometres, "distance of the Moon's centre from the axis of the Earth's shadow");
 }
 
-/// Describes the numbers of the Moon as a place sees it; none without a place.
+/// Describes the numbers for the Moon as seen from a place; they are absent if there is no view.
 template <class Field>
 void describe_view(Field&& is, const std::optional<almanac::ObserverView>& view) {
   namespace unit = algebra::unit;

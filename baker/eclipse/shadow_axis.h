@@ -9,20 +9,20 @@
 
 namespace coppermoon::eclipse {
 
-/// The line from the Sun's centre through the Earth's, with the frame that goes with it:
+/// The line from the Sun's centre through the Earth's centre, with its own frame:
 /// X towards celestial east, Y towards celestial north, Z away from the Sun; right-handed, origin
-/// at the Earth's centre. East and north are the sky's where the shadow is, seen from the Earth.
+/// at the Earth's centre. East and north are those of the sky at the shadow, seen from the Earth.
 struct ShadowAxis {
   glm::dmat3 shadow_from_gcrs;
   algebra::Length sun_distance;
   algebra::Angle sun_declination =
-      {};  ///< apparent, of date: how the Earth's poles are tipped to the axis
+      {};  ///< apparent, of date: how far the Earth's poles tip towards the axis
 };
 
-/// Accuracy  the Sun's (almanac::apparent_sun_m): 0.1″, 0.2 km at the Moon, from 1800 to 2100
+/// Accuracy  that of almanac::apparent_sun_m: 0.1″, or 0.2 km at the Moon, from 1800 to 2100
 ShadowAxis shadow_axis(const almanac::SkyState& sky);
 
-/// Shadow axis from the apparent Sun alone.
+/// Computes the shadow axis from the apparent position of the Sun alone.
 ///
 /// Given  sun_m           apparent geocentric position, GCRS axes [m]
 ///        celestial_pole  of date, unit, GCRS axes

@@ -14,33 +14,33 @@ namespace coppermoon::eclipse {
 ///     herald_sinnott  (πm + πs) (r + 87 km) / a ∓ s
 ///
 /// πm and πs are the equatorial horizontal parallaxes of Moon and Sun, s the Sun's semidiameter;
-/// upper sign umbra, lower penumbra. danjon's 1.01 is 1 + 1/85 − 1/594: 75 km of air on the Earth's
-/// mean radius; NASA's since 2009. danjon_oblate has the same air on the limb itself, as NASA's
-/// timings of craters do. chauvenet was the almanacs' and NASA's before; its umbral magnitude is
-/// 0.005 larger, its penumbral one 0.026. In the oblate two, r is the limb's radius under the Moon
-/// (atmosphere::limb_at), a the Earth's equatorial one.
+/// the upper sign is for the umbra, the lower for the penumbra. danjon's 1.01 is 1 + 1/85 − 1/594: 75 km
+/// of air on the Earth's mean radius. NASA has used it since 2009. danjon_oblate has the same air on the
+/// limb itself, as in NASA's timings of craters. The almanacs and NASA used chauvenet before; its umbral
+/// magnitude is larger by 0.005, its penumbral magnitude by 0.026. In the two oblate conventions, r is the
+/// radius of the limb below the Moon (atmosphere::limb_at) and a the Earth's equatorial radius.
 ///
 /// Source  Espenak & Meeus (2009), Five Millennium Canon of Lunar Eclipses, NASA/TP-2009-214172;
 ///         Herald & Sinnott (2014), J. Brit. Astron. Assoc. 124, 247
 enum class ShadowConvention { danjon, danjon_oblate, chauvenet, herald_sinnott };
 
-/// Radii of the shadow where the Moon is, as angles seen from the Earth's centre. The umbra's is negative
-/// beyond its tip.
+/// Radii of the shadow at the Moon's distance, as angles seen from the Earth's centre. Beyond the tip of the umbra, its
+/// radius is negative.
 struct ShadowRadii {
   algebra::Angle umbra, penumbra;
 };
 
-/// Given   moon  a place in the shadow; its position angle matters to the oblate conventions alone
+/// Given   moon  a place in the shadow; its position angle matters only for the oblate conventions
 ShadowRadii shadow_radii(ShadowConvention convention, const ShadowAxis& axis,
                          const ShadowPlace& moon);
 
-/// Axis distance of a place at an angle from the axis and at the Moon's distance from the Earth's centre.
+/// Distance from the axis of a place seen at an angle from it, at the Moon's distance from the Earth's centre.
 algebra::Length axis_distance_at(algebra::Angle from_axis, const ShadowPlace& moon);
 
-/// Radius of the Moon in equatorial radii of the Earth. Every convention uses the same.
+/// Radius of the Moon in equatorial radii of the Earth, the same for every convention.
 inline constexpr double lunar_radius_in_earth_radii = 0.2725076;
 
-/// The Moon's semidiameter seen from the Earth's centre.
+/// The Moon's semidiameter as seen from the Earth's centre.
 algebra::Angle lunar_semidiameter(const ShadowPlace& moon);
 
 }  // namespace coppermoon::eclipse

@@ -7,44 +7,44 @@
 
 namespace coppermoon::files {
 
-/// Makes a folder that its user alone may enter, unless it is there already.
+/// Makes a folder that only this user may enter, unless it exists already.
 ///
-/// Throws  Error  when it cannot be made, or belongs to another user
+/// Throws  Error  if it cannot be made, or belongs to another user
 void make_private_folder(const std::filesystem::path& folder);
 
-/// Folder in which baked textures are kept: that of the variable COPPERMOON_CACHE, or `coppermoon` in the user's folder
-/// of caches, as the XDG Base Directory Specification has it.
+/// Folder in which baked textures are kept: the one that the variable COPPERMOON_CACHE names, else `coppermoon` in the
+/// user's cache folder (XDG Base Directory Specification).
 ///
-/// Throws  Error  when the user has no home
+/// Throws  Error  if the user has no home folder
 std::filesystem::path usual_cache();
 
-/// Whether a folder is that one; false where there is none.
+/// Whether a folder is the usual cache; false if there is no usual cache.
 bool is_usual_cache(const std::filesystem::path& folder);
 
-/// File that is kept in a cache.
+/// A file in a cache.
 struct KeptFile {
   std::filesystem::path path;
   std::uintmax_t bytes;
-  std::filesystem::file_time_type used;  ///< when it was last used, of files marked as used
+  std::filesystem::file_time_type used;  ///< when it was last marked as used, or written
 };
 
-/// Textures in a cache: regular files of this user with names of 16 hexadecimal digits and ".tx"; none where there is
-/// no folder.
+/// Textures in a cache: this user's regular files with names of 16 hexadecimal digits and ".tx". Empty if the folder
+/// does not exist.
 ///
-/// Returned  those used last first
+/// Returned  the textures, the most recently used first
 std::vector<KeptFile> kept_in(const std::filesystem::path& folder);
 
-/// Notes that a kept file is used now.
+/// Marks a file in a cache as used now.
 void mark_as_used(const std::filesystem::path& file);
 
-/// Removes kept files, those used longest ago first, until what stays has at most `most_bytes`. Files used after
-/// `since` stay in any case.
+/// Removes files from a cache, the least recently used first, until at most `most_bytes` remain. Files used after
+/// `since` are never removed.
 ///
-/// Returned  the files that are gone
+/// Returned  the removed files
 std::vector<KeptFile> remove_oldest(const std::filesystem::path& folder, double most_bytes,
                                     std::filesystem::file_time_type since);
 
-/// Whether a path is a regular file, no link, that belongs to this user or to root.
+/// Whether a path is a regular file, not a link, that belongs to this user or to root.
 bool is_users_own(const std::filesystem::path& path);
 
 }  // namespace coppermoon::files

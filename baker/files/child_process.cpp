@@ -12,7 +12,7 @@ namespace {
 
 using algebra::Error;
 
-/// Keeps the first 4096 bytes of what a program says.
+/// Function that collects the first 4096 bytes of a program's messages in `said`.
 auto kept_in(std::string& said) {
   return [&said](std::string_view words) {
     constexpr std::size_t most = 4096;

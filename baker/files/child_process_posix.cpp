@@ -30,7 +30,8 @@ int descriptor_of(const Handle& handle) { return static_cast<int>(handle.number)
   throw Error(fmt::format("no pipe to another program: {}", std::strerror(errno)));
 }
 
-/// Turns the forked child into the program; returns on failure. Calls only what is safe after a fork of many threads.
+/// Turns the forked child into the program; returns only on failure. Calls only functions that are safe after a fork
+/// in a process with many threads.
 void become(char* const* arguments, char* const* variables, const Program& program,
             const Streams& streams, pid_t parent) {
   if (program.outlives_us ? ::setpgid(0, 0) != 0
@@ -46,7 +47,7 @@ void become(char* const* arguments, char* const* variables, const Program& progr
   ::execvpe(arguments[0], arguments, variables);
 }
 
-/// Environment of this process with some variables replaced.
+/// Environment of this process with some variables added or replaced.
 std::vector<std::string> environment_with(std::vector<std::string> variables) {
   const auto named = variables;
   for (char** ours = environ; *ours != nullptr; ++ours) {
@@ -66,14 +67,15 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
   return pointers;
 }
 
-/// Value of errno that the child wrote before it ended, or 0 when exec closed the pipe.
+/// Value of errno that the child wrote before it ended, or 0 if exec succeeded and closed the pipe.
 int failure_of(const Handle& from) {
   int failure = 0;
   while (::read(descriptor_of(from), &failure, sizeof failure) < 0 && errno == EINTR) continue;
   return failure;
 }
 
-/// Watch for the closing of a written file in a folder; none where none is wanted, or the system has no more.
+/// Watch that reports when a file written in the folder is closed; empty if `file` is, or if the system has no
+/// watches left.
 Handle watch(const std::filesystem::path& folder, const std::string& file) {
   Handle made(file.empty() ? -1 : ::inotify_init1(IN_CLOEXEC | IN_NONBLOCK));
   if (made && ::inotify_add_watch(descriptor_of(made), folder.c_str(), IN_CLOSE_WRITE) < 0)
@@ -81,7 +83,7 @@ Handle watch(const std::filesystem::path& folder, const std::string& file) {
   return made;
 }
 
-/// Whether a watch that is readable reports that file.
+/// Reads a watch's pending reports: is the closing of `file` among them?
 bool has_closed(const Handle& watch, const std::string& file) {
   alignas(inotify_event) std::array<char, 4096> events;
   const auto count = ::read(descriptor_of(watch), events.data(), events.size());
@@ -93,9 +95,9 @@ bool has_closed(const Handle& watch, const std::string& file) {
   return false;
 }
 
-/// Time that a wait may take; below 0: any.
+/// Time left until the timeout [ms]; negative if there is no timeout.
 ///
-/// Throws  Error  when there is none left
+/// Throws  Error  if no time is left
 int milliseconds_left(const Program& program, double timeout_s, Clock::time_point start) {
   if (timeout_s == 0) return -1;
   const double used_s = std::chrono::duration<double>(Clock::now() - start).count();
@@ -105,9 +107,9 @@ int milliseconds_left(const Program& program, double timeout_s, Clock::time_poin
   return static_cast<int>(std::min(timeout_s - used_s, 1e3) * 1e3) + 1;
 }
 
-/// Hears a program until it ends, or closes the file.
+/// Listens to a program until it ends or closes the file `until_closed`.
 ///
-/// Returned  whether it closed the file and may still run
+/// Returned  whether it closed the file and may still be running
 bool listen(const Handle& words, const Handle& closing, const Program& program,
             const Hearing& hearing) {
   const auto start = Clock::now();
@@ -129,7 +131,7 @@ bool listen(const Handle& words, const Handle& closing, const Program& program,
 
 const char* const own_output = "/dev/fd/1";
 
-/// Ends are 3 and above: a child can put its standard streams in place without closing them.
+/// Both ends get numbers of at least 3, so that a child can set up its standard streams without closing them.
 Pipe::Pipe() {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) refuse_pipe();
@@ -161,7 +163,7 @@ int RunningProgram::status() {
   return result;
 }
 
-/// Forks, since posix_spawn cannot ask for the child's end with ours.
+/// Uses fork, because posix_spawn cannot make the child end when this process does.
 void start(RunningProgram& running, const Program& program, const Streams& streams) {
   auto words = program.words, variables = environment_with(program.variables);
   const auto arguments = pointers_to(words), environment = pointers_to(variables);

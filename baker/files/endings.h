@@ -12,14 +12,14 @@
 
 namespace coppermoon::files {
 
-/// Format of a file that a command writes. A table of formats adds the function that writes it; help, errors and the
-/// docs say of it what stands here.
+/// Format of a file that a command writes, as help, errors and the documentation describe it. Tables of formats add
+/// the function that writes the file.
 struct Ending {
-  std::string_view ending;  ///< of the file's name: ".png"
-  std::string_view help;    ///< what the file holds: "developed"; empty: as its ending says
+  std::string_view ending;  ///< ending of the file's name: ".png"
+  std::string_view help;    ///< what the file holds: "developed"; empty if the ending says enough
 };
 
-/// ".exr (scene-linear), .png (developed)".
+/// Formats as a list in words: ".exr (scene-linear), .png (developed)".
 template <class Formats>
 std::string in_words(const Formats& formats) {
   std::string words;
@@ -29,10 +29,10 @@ std::string in_words(const Formats& formats) {
   return words;
 }
 
-/// Format of a file by its name's ending.
+/// Format of a file, by the ending of its name.
 ///
-/// Given   what   is to be written, as "a texture"
-/// Throws  Error  for another ending: names all
+/// Given   what   what is to be written, such as "a texture"
+/// Throws  Error  for an unknown ending: names all known ones
 template <class Formats>
 const auto& format_of(const std::filesystem::path& file, const Formats& formats,
                       std::string_view what) {

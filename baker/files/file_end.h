@@ -5,8 +5,8 @@
 
 namespace coppermoon::files {
 
-/// Whether a file that another program wrote has its end: a PNG its chunk IEND, a PDF its %%EOF, an SVG its </svg>, and
-/// of MP4, MOV and AVIF the boxes end with the file. A file of another kind has it where it is not shorter than 8 bytes.
+/// Whether a file that another program wrote is complete: a PNG ends with the chunk IEND, a PDF with %%EOF, an SVG
+/// with </svg>; in MP4, MOV and AVIF the last box ends with the file. Any other file needs at least 8 bytes.
 ///
 /// Source  PNG (ISO/IEC 15948), PDF (ISO 32000), ISO base media file format (ISO/IEC 14496-12)
 bool has_its_end(const Handle& file);

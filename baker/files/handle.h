@@ -11,9 +11,9 @@
 
 namespace coppermoon::files {
 
-/// Number by which the system knows an open file, a pipe's end or a lock; closed by the destructor.
+/// The system's number for an open file, an end of a pipe, or a lock; closed by the destructor.
 struct Handle {
-  std::intptr_t number = -1;  ///< below 0: none
+  std::intptr_t number = -1;  ///< negative if nothing is open
 
   Handle() = default;
   explicit Handle(std::intptr_t opened) : number(opened) {}
@@ -28,21 +28,21 @@ struct Handle {
   explicit operator bool() const { return number >= 0; }
 };
 
-/// File opened for reading; none where that cannot be. It never waits, also for a pipe without a writer.
+/// Opens a file for reading; an empty handle if that fails. Never blocks, even on a pipe without a writer.
 Handle opened(const std::filesystem::path& file);
 
-/// Size of an open file [bytes]; 0 of a folder, a pipe or a device.
+/// Size of an open file [bytes]; 0 for a folder, a pipe or a device.
 std::uint64_t size_of(const Handle& file);
 
-/// Bytes of a file from a place on; fewer where it ends before.
+/// Reads `count` bytes of a file from an offset on; fewer if the file ends first.
 std::string bytes_at(const Handle& file, std::uint64_t place, std::size_t count);
 
-/// Writes bytes at a place of a file.
+/// Writes bytes at an offset in a file.
 ///
-/// Returned  the system's reason where some could not be written
+/// Returned  the system's reason if some bytes could not be written
 std::error_code write_at(const Handle& file, std::uint64_t place, std::string_view bytes);
 
-/// Name by which this process can open the file again, also where it has no name in a folder yet.
+/// Name by which this process can open the file again, even if the file has no name in a folder yet.
 std::string name_of(const Handle& file);
 
 }  // namespace coppermoon::files

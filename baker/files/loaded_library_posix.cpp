@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 fs::path own_program() { return fs::read_symlink("/proc/self/exe"); }
 
-/// Of the program itself the system keeps no name.
+/// The system gives an empty name for the program itself.
 fs::path file_that_has(const void* part) {
   Dl_info info{};
   void* map = nullptr;

@@ -9,28 +9,28 @@
 
 namespace coppermoon::files {
 
-/// Exclusive lock on a folder for the handle's lifetime; other processes wait. A file system without locks grants every
-/// lock.
+/// Exclusive lock on a folder for the handle's lifetime; other processes wait. On a file system without locks, every
+/// lock is granted.
 [[nodiscard]] Handle lock_folder(const std::filesystem::path& folder);
 
-/// Exclusive lock on a file that is yet to be made, for the handle's lifetime; other processes of the user wait. It
-/// is an empty file beside the other, ".NAME.lock", that this user alone can open, and that stays. A file system
-/// without locks grants every lock; another user's lock file is ignored.
+/// Exclusive lock on a file that does not exist yet, for the handle's lifetime; the user's other processes wait. The
+/// lock is an empty file beside it, ".NAME.lock", which only this user can open and which is not removed. On a file
+/// system without locks, every lock is granted. Another user's lock file is ignored.
 ///
-/// Given  waiting  called before a wait
+/// Given  waiting  called before the call has to wait
 [[nodiscard]] Handle lock_file(const std::filesystem::path& file,
                                const std::function<void()>& waiting);
 
-/// Claim on a folder for one purpose; processes of the same purpose share it.
+/// Claim on a folder for one purpose; processes with the same purpose share it.
 struct FolderClaim {
   Handle handle;  ///< holds the claim for its lifetime
   bool alone =
-      true;  ///< no other purpose has a claim; of two within microseconds, neither may be alone
+      true;  ///< no claim for another purpose; two claims within microseconds may both get false
 };
 
-/// Claims a folder, independently of lock_folder. A file system without locks grants every claim.
+/// Claims a folder, independently of lock_folder. On a file system without locks, every claim is granted.
 ///
-/// Given  purpose  as a fingerprint
+/// Given  purpose  number that stands for the purpose, such as a fingerprint
 [[nodiscard]] FolderClaim claim_folder(const std::filesystem::path& folder, std::uint64_t purpose);
 
 }  // namespace coppermoon::files

@@ -21,7 +21,7 @@ struct flock lock_of(short type, off_t from, off_t length) {
 
 /// Whether another open file holds a lock on any byte of a range.
 ///
-/// Given  length  0: all from there on
+/// Given  length  0: everything from `from` on
 bool others_hold(int descriptor, off_t from, off_t length) {
   auto asked = lock_of(F_WRLCK, from, length);
   return ::fcntl(descriptor, F_OFD_GETLK, &asked) == 0 && asked.l_type != F_UNLCK;
@@ -47,11 +47,11 @@ Handle lock_file(const std::filesystem::path& file, const std::function<void()>&
   return handle;
 }
 
-/// Claims by a read lock on one byte, whose offset is the purpose.
+/// The claim is a read lock on one byte, whose offset stands for the purpose.
 FolderClaim claim_folder(const std::filesystem::path& folder, std::uint64_t purpose) {
   FolderClaim claim{opened(folder)};
   const auto descriptor = static_cast<int>(claim.handle.number);
-  const auto byte = static_cast<off_t>(purpose >> 2) + 1;  // neither the first nor the last
+  const auto byte = static_cast<off_t>(purpose >> 2) + 1;  // not the first or last possible offset
   auto mine = lock_of(F_RDLCK, byte, 1);
   if (::fcntl(descriptor, F_OFD_SETLK, &mine) == 0)
     claim.alone = !others_hold(descriptor, 0, byte) && !others_hold(descriptor, byte + 1, 0);

@@ -6,23 +6,23 @@
 
 namespace coppermoon::files {
 
-/// Memory that programs may still take [bytes], as the system says; 1e9 where it says nothing.
+/// Memory that the system reports as available to programs [bytes]; 1e9 if it reports none.
 double available_memory();
 
 /// Refuses work for which this machine has too little memory, before it begins.
 ///
-/// Given   what   needs it, as "a.glb"
-///         bytes  that it will take
-/// Throws  Error  with both numbers
+/// Given   what   what needs the memory, such as "a.glb"
+///         bytes  memory that it needs
+/// Throws  Error  giving the memory needed and the memory available
 void require_memory(std::string_view what, double bytes);
 
-/// Whether this process may take only so many addresses.
+/// Whether the address space of this process is limited.
 bool addresses_are_limited();
 
-/// Whether the system would give this process so many addresses [bytes].
+/// Whether this process could still reserve this much address space [bytes].
 bool has_addresses(std::size_t bytes);
 
-/// Keeps memory that is freed for this process's next use: pages of the system cost a tenth of a texture's time.
+/// Keeps freed memory in this process for reuse: fetching new pages from the system takes a tenth of a texture's time.
 void keep_freed_memory();
 
 }  // namespace coppermoon::files

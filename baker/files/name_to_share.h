@@ -6,13 +6,13 @@
 
 namespace coppermoon::files {
 
-/// Name of a file without the user's private folders, for files that are passed on to others.
+/// Name under which to mention a file in other files that are passed on: without the user's private folders.
 ///
-/// Returned  relative names and /usr/… unchanged; absolute names within the current folder relative to it; the
-///           file name alone for all other names
+/// Returned  relative names and names in /usr unchanged; absolute names in the current folder relative to it; for all
+///           other names, only the last part
 std::string name_to_share(const std::filesystem::path& path);
 
-/// Path of a file that a shared file names: in the current folder if it is there, else beside the shared file.
+/// Path of a file that a shared file mentions: in the current folder if it exists there, else beside the shared file.
 std::string shared_file(const std::string& name, const std::filesystem::path& named_in);
 
 }  // namespace coppermoon::files

@@ -10,15 +10,15 @@
 
 namespace coppermoon::files {
 
-/// "PATH: cannot be written: REASON".
+/// Error with the message "PATH: cannot be written: REASON".
 algebra::Error cannot_write(const std::filesystem::path& path, std::error_code reason);
 
-/// New file beside the final one, removed by the destructor or at the program's end unless it was put in place. Where
-/// the file system can, the file has no name until then. It has the permissions of the file that it replaces.
+/// New file in the folder of the final one, removed by the destructor or at the program's end unless it was put in
+/// place. Until then it has no name, if the file system allows that. It has the permissions of the file it replaces.
 class NewFile {
  public:
   /// Given   final_path  with all links followed
-  /// Throws  Error       when it cannot be made
+  /// Throws  Error       if the file cannot be made
   explicit NewFile(const std::filesystem::path& final_path);
   NewFile(const NewFile&) = delete;
   NewFile& operator=(const NewFile&) = delete;
@@ -26,7 +26,7 @@ class NewFile {
 
   const Handle& handle() const { return handle_; }
 
-  /// Flushes it to the disk and gives it the final name, for good: also after a power cut.
+  /// Flushes the file to the disk and gives it its final name, so that it survives even a power cut.
   ///
   /// Throws  Error  when the system refuses
   void put_in_place();

@@ -16,21 +16,21 @@ namespace fs = std::filesystem;
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
-/// Copies the permissions of the replaced file, as far as this user may.
+/// Copies the permissions of the file to be replaced, as far as this user is allowed to.
 void keep_permissions(int descriptor, const fs::path& of) {
   struct stat replaced {};
   constexpr mode_t permissions = 0777;
   if (::stat(of.c_str(), &replaced) == 0) ::fchmod(descriptor, replaced.st_mode & permissions);
 }
 
-/// Whether a nameless file has this name now; false where another has it.
+/// Gives a nameless file a name. Returns false if that name is taken.
 bool named(const Handle& file, const fs::path& name) {
   return ::linkat(AT_FDCWD, name_of(file).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
 }
 
 }  // namespace
 
-/// Makes a file under a name that does not exist yet.
+/// Makes a file under a temporary name that is not taken yet.
 template <typename Make>
 void NewFile::with_a_name(Make make) {
   static std::atomic<unsigned> names = 0;
@@ -61,14 +61,14 @@ NewFile::~NewFile() {
 
 void NewFile::put_in_place() {
   if (::fsync(static_cast<int>(handle_.number)) != 0) throw cannot_write(final_, last_error());
-  // at once where no file is there: a program killed now leaves no other name
+  // if the final name is free, take it at once: a program killed now leaves no temporary name behind
   if (!path_.empty() || !named(handle_, final_)) {
     if (path_.empty()) with_a_name([this](const fs::path& name) { return named(handle_, name); });
     if (::rename(path_.c_str(), final_.c_str()) != 0) throw cannot_write(final_, last_error());
     path_.clear();
   }
   if (const auto folder = opened(final_.parent_path()))
-    ::fsync(static_cast<int>(folder.number));  // no error where the file system cannot
+    ::fsync(static_cast<int>(folder.number));  // ignored if the file system cannot
 }
 
 }  // namespace coppermoon::files

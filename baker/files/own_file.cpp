@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view mark = " as coppermoon wrote it: ";
 
-/// Whether a path exists, dangling links included.
+/// Whether something exists at a path, even a dangling link.
 bool is_taken(const fs::path& path) {
   std::error_code failed;
   return fs::exists(fs::symlink_status(path, failed));

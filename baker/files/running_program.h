@@ -9,21 +9,21 @@
 
 namespace coppermoon::files {
 
-/// Pipe whose ends a child can put in the place of its standard streams.
+/// Pipe whose ends a child process can use as its standard streams.
 struct Pipe {
   Handle out, in;
 
-  /// Throws  Error  when the system has none left
+  /// Throws  Error  if the system cannot provide another pipe
   Pipe();
 };
 
-/// Some bytes of a pipe, when there are; none at its end.
+/// Waits for bytes from a pipe and returns them; empty at the pipe's end.
 std::string read_some(const Handle& pipe);
 
 /// Running program, killed by the destructor.
 struct RunningProgram {
   std::int64_t id = 0;
-  bool leads_group = false;  ///< its process group is killed with it
+  bool leads_group = false;  ///< whether its process group is killed with it
 
   RunningProgram() = default;
   RunningProgram(const RunningProgram&) = delete;
@@ -32,19 +32,19 @@ struct RunningProgram {
 
   /// Waits for the program's end.
   ///
-  /// Returned  the system's account of it
+  /// Returned  the exit status as the system reports it
   int status();
 };
 
-/// Standard streams of a program; none: nothing is read or written there.
+/// Standard streams of a program; nullptr: an empty input, or output that is discarded.
 struct Streams {
   const Handle *input = nullptr, *output = nullptr, *error = nullptr;
 };
 
-/// Starts a program. Unless it outlives us it ends with the calling thread, whatever ends that: the thread must
-/// wait for it.
+/// Starts a program. Unless it outlives us, it ends when the calling thread ends, for whatever reason. The thread
+/// must therefore wait for it.
 ///
-/// Throws  Error  when it cannot be run: names the package when there is no such program
+/// Throws  Error  if the program cannot be run: names the package if there is no such program
 void start(RunningProgram& running, const Program& program, const Streams& streams);
 
 }  // namespace coppermoon::files

@@ -7,23 +7,23 @@
 
 namespace coppermoon::files {
 
-/// Prepares the standard streams of a program that begins. Closed ones are held, so that no file opened later is written
-/// into in their place; using them still fails. Writing to stderr never fails: who does not hear what is said beside
-/// the results loses nothing else. A file that grows too large is an error like any other.
+/// Prepares the standard streams at the start of a program. The numbers of closed streams are reserved, so that no
+/// file opened later is mistaken for one of them; using them still fails. Writing to stderr never ends the program:
+/// a reader who closes it loses only the messages. A file that grows too large is an error like any other.
 void prepare_standard_streams();
 
 /// Whether stderr is a terminal.
 bool errors_on_terminal();
 
-/// Writes to stderr without asking for memory.
+/// Writes to stderr without allocating memory.
 void say_at_once(std::string_view words);
 
-/// Sends what any code writes to stderr nowhere.
+/// Discards whatever any code writes to stderr.
 ///
-/// Returned  what it was before, for hear_errors
+/// Returned  the previous stderr, for hear_errors
 [[nodiscard]] Handle silence_errors();
 
-/// Makes stderr what it was.
+/// Restores stderr after silence_errors.
 void hear_errors(const Handle& before);
 
 }  // namespace coppermoon::files

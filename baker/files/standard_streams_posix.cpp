@@ -10,8 +10,8 @@
 namespace coppermoon::files {
 namespace {
 
-/// Opens closed standard descriptors on /dev/null. The direction is the wrong one, so that reading or printing fails as
-/// it does on a closed one.
+/// Opens /dev/null on each closed standard descriptor, but in the wrong direction, so that reading or printing still
+/// fails as it would on a closed descriptor.
 void hold_standard_descriptors() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(descriptor, F_GETFD) < 0)

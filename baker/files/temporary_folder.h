@@ -8,13 +8,13 @@
 
 namespace coppermoon::files {
 
-/// Refuses a system without a folder for temporary files, before any work.
+/// Refuses to start work if the system has no folder for temporary files.
 ///
-/// Throws  Error  with the name that TMPDIR gives
+/// Throws  Error  with the folder's name as TMPDIR gives it
 void require_temporary_folder();
 
-/// Removal of a file or a folder when the program ends during this object's lifetime, whatever ends it: a child
-/// waits for the program's end. Where there is no shell, file or folder stay.
+/// Removes a file or folder if the program ends during this object's lifetime, for whatever reason: a child process
+/// waits for the program's end. On a system without a shell, the file or folder stays.
 class RemovalAtEnd {
  public:
   explicit RemovalAtEnd(const std::filesystem::path& path);
@@ -22,11 +22,11 @@ class RemovalAtEnd {
   RemovalAtEnd& operator=(const RemovalAtEnd&) = delete;
 
  private:
-  std::optional<Pipe> alive_;  ///< closed by the end of the program, or after the remover's
+  std::optional<Pipe> alive_;  ///< closed when the program ends, or after the remover has ended
   RunningProgram remover_;
 };
 
-/// Temporary folder, removed with this object or at the program's end, whatever ends it.
+/// Temporary folder, removed when this object is destroyed or the program ends, for whatever reason.
 ///
 /// Throws  Error  when the system's temporary folder is not writable
 class TemporaryFolder {

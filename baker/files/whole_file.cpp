@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Final path of a file: links resolved, folder made explicit.
+/// Final path of a file, with links resolved and its folder made explicit.
 fs::path destination(const fs::path& path) {
   std::error_code failed;
   if (path.filename().empty() || fs::is_directory(path, failed))
@@ -37,7 +37,7 @@ algebra::Error cannot_write(const fs::path& path, std::error_code reason) {
 }
 
 fs::path place_of(const fs::path& path, std::error_code& failed) {
-  constexpr int most_links = 40;  // as Linux has it
+  constexpr int most_links = 40;  // the limit on Linux
   auto place = fs::weakly_canonical(fs::absolute(path, failed), failed);
   std::error_code absent;
   for (int links = 0; !failed && fs::is_symlink(place, absent); ++links) {

@@ -31,7 +31,7 @@ struct Air {
   double optical_height(double h) const { return h + optical_excess(h); }
 };
 
-/// Altitude where n r = b, by bisection to the last digit: above the ground n r increases with altitude.
+/// Altitude where n r = b, by bisection to the last digit, as n r increases with altitude above the ground.
 double tangent_height(const Air& air, double impact_height_m, double top_m) {
   constexpr int halvings = 64;
   double low = 0, high = top_m;
@@ -65,7 +65,7 @@ std::vector<double> pieces_above(double bottom_m, const Column& column, double t
   if (column.seasonal_air)
     for (double h = knees_apart_m; h < knees_below_m; h += knees_apart_m) breaks.push_back(h);
   std::sort(breaks.begin(), breaks.end());
-  constexpr double rounding_m = 1e-11;  // of altitudes; closer breaks are dropped
+  constexpr double rounding_m = 1e-11;  // rounding error of altitudes; closer breaks are dropped
   std::erase_if(breaks, [&](double h) {
     return h != bottom_m && h != top_m && (h < bottom_m + rounding_m || h > top_m);
   });
@@ -80,7 +80,7 @@ struct Piece {
 
 /// Node of the quadrature over altitude, and the air there.
 struct Node {
-  double above_m, r_m, dh_m;  ///< height over the tangent height, distance from the centre, weight
+  double above_m, r_m, dh_m;  ///< height above the tangent height, distance from the centre, weight
   atmosphere::ValueAndSlope density;
   atmosphere::Amounts profiles;
 };

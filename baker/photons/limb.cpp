@@ -15,7 +15,7 @@
 namespace coppermoon::photons {
 namespace {
 
-/// Column of air and a position angle of the limb where it is found.
+/// Column of air, and a position angle of the limb at which it is found.
 struct Seat {
   std::size_t column;
   double position_angle_rad;
@@ -41,7 +41,8 @@ std::vector<Seat> seats_of(const atmosphere::Atmosphere& atmosphere) {
 /// Gauss nodes between two position angles, for a smooth function times a harmonic.
 std::vector<algebra::QuadratureNode> nodes_between(double from, double to, int highest) {
   constexpr int count = 16;
-  constexpr double phase = 8;  // radians of a harmonic that one piece's nodes integrate to rounding
+  constexpr double phase =
+      8;  // radians of a harmonic that one piece's nodes integrate to within rounding
   const double pieces = std::ceil((to - from) * (highest + 2) / phase),
                half = (to - from) / pieces / 2;
   std::vector<algebra::QuadratureNode> all;

@@ -10,7 +10,7 @@
 
 namespace coppermoon::photons {
 
-/// Radiance of a point on the Sun's disc over the mean radiance of the disc.
+/// Ratio of the radiance at a point of the Sun's disc to the mean radiance of the disc.
 ///
 ///     I(μ)/Ī = Σ A_k μ^k / (A_0 + 2 Σ A_k/(k + 2))        k = 0 … 5,   A_k linear in wavelength
 ///
@@ -20,7 +20,7 @@ namespace coppermoon::photons {
 /// Returned  at 550 nm 1.246 at the centre and 0.33 at the limb; the mean over the disc is 1
 /// Accuracy  against Neckel (2005), a fit smooth in wavelength, for μ >= 0.1: 1 % (400 to 780 nm) or 1.3 %
 ///           (385 nm) of the radiance at the centre
-/// Omits     spectral lines: the table is for the continuum
+/// Omits     spectral lines, as the table is for the continuum
 /// Throws    Error       when an argument is outside its range
 /// Source    Neckel & Labs (1994), Solar Phys. 153, 91
 double limb_darkening(algebra::Wavelength wavelength, double cos_angle);
@@ -28,11 +28,11 @@ double limb_darkening(algebra::Wavelength wavelength, double cos_angle);
 /// Sun's disc as a stack of concentric uniform discs.
 struct DiscLayers {
   std::vector<double> radius;        ///< [layer] in solar radii, the outermost, 1, first
-  algebra::Grid<double> brightness;  ///< (layer, wavelength) over the mean radiance of the disc
+  algebra::Grid<double> brightness;  ///< (layer, wavelength) relative to the disc's mean radiance
 };
 
-/// Sun's disc in layers. Light from an area of the disc, as a share of the Sun's light, is the sum over layers of
-/// brightness times the area common to both, over the area of the unit disc.
+/// Divides the Sun's disc into layers. The share of the Sun's light that comes from an area of the disc is the sum,
+/// over layers, of brightness times the area common to both, divided by the area of the unit disc.
 ///
 ///     limb-darkened: a layer of radius 1 and brightness I(0)/Ī, and 32 of radius √(1 − μ²) and brightness
 ///     w I′(μ)/Ī, with Gauss nodes μ and weights w on (0, 1);   else one layer of radius 1 and brightness 1
@@ -43,27 +43,27 @@ struct DiscLayers {
 /// Throws    Error           when limb-darkened at a wavelength outside its range
 DiscLayers disc_layers(std::span<const double> wavelengths_nm, bool limb_darkened);
 
-/// Polynomial in the cosine μ: Σ a_k μ^k.
+/// Polynomial in the cosine μ, Σ a_k μ^k.
 using DiscFunction = std::array<double, 6>;
 
-/// Sun's disc as a sum of a few functions of the cosine μ, which are the same at all wavelengths.
+/// Sun's disc as a sum of a few functions of the cosine μ. The functions are the same at all wavelengths.
 struct DiscTerms {
   std::vector<DiscFunction> functions;
   algebra::Grid<double>
-      brightness;  ///< (term, wavelength) coefficient of a function, over the mean radiance
+      brightness;  ///< (term, wavelength): coefficient of a function, relative to the mean radiance
 };
 
 double value(const DiscFunction& function, double cos_angle);
 
-/// Sun's disc in terms, chosen greedily: the first is the radiance at the middle wavelength, each next one the
-/// largest remaining residual (rms over the disc) of any wavelength.
+/// Represents the Sun's disc by terms, chosen greedily: the first is the radiance at the middle wavelength, each next
+/// one the largest residual (rms over the disc) that remains at any wavelength.
 ///
 /// Given     wavelengths_nm  380 to 780 nm
 ///           count           largest number of terms, 1 to 6
-/// Returned  for a uniform disc one term, 1. At every wavelength, Σ brightness × mean of the function over the
+/// Returned  for a uniform disc, one term, 1. At every wavelength, Σ brightness × mean of the function over the
 ///           disc is 1
-/// Accuracy  radiance anywhere on the disc, over the mean radiance, 380 to 780 nm: two terms 0.07, three
-///           0.03, four 4e-3, six exact
+/// Accuracy  error of radiance anywhere on the disc, relative to the mean radiance, 380 to 780 nm: two terms 0.07,
+///           three 0.03, four 4e-3, six exact
 /// Throws    Error           when limb-darkened and an argument is outside its range
 DiscTerms disc_terms(std::span<const double> wavelengths_nm, bool limb_darkened, int count = 6);
 

@@ -35,7 +35,7 @@ LimbPath path_of(double tangent_height_m, const Path& all) {
   return path;
 }
 
-/// Tangent heights where a fan must have rays: ground, breaks, top of cloud, top of this air, top of all air.
+/// Tangent heights at which a fan must have rays: ground, breaks, top of cloud, top of this air, top of all air.
 std::vector<double> stations(const Column& column, double top_m) {
   auto heights = atmosphere::breaks_m(column);
   heights.insert(heights.end(), {0, std::max(top_m, heights.back())});
@@ -95,7 +95,7 @@ class Polynomial {
   std::vector<double> places_, weights_;
 };
 
-/// Chebyshev nodes between two refractivities; one where the two are equal.
+/// Chebyshev nodes between two refractivities; a single node if the two are equal.
 std::vector<double> chebyshev_roots(double least, double greatest, int count) {
   if (!(greatest - least > 1e-9 * greatest)) return {greatest};
   const double middle = (least + greatest) / 2, half = (greatest - least) / 2;
@@ -131,7 +131,7 @@ class Significance {
 /// Paths at the Chebyshev points of a piece, [refractivity][point].
 using Points = std::vector<std::vector<Path>>;
 
-/// Tracing of the rays of one column.
+/// Traces the rays through one column.
 struct Follower {
   const Column& column;
   double earth_radius_m;
@@ -159,8 +159,8 @@ struct Follower {
     return values;
   }
 
-  /// Paths at the points of a degree that has been doubled until half the degree predicts those of the greatest
-  /// refractivity to the tolerance.
+  /// Paths at the Chebyshev points of a sufficient degree: it is doubled until half the degree predicts the paths at
+  /// the greatest refractivity to within the tolerance.
   Points sufficient(const HeightRange& piece, const Significance& significance,
                     double error) const {
     constexpr int lowest = 6, highest = 48;
@@ -183,7 +183,7 @@ struct Follower {
   }
 };
 
-/// Largest second difference of paths over an interval: error of linear interpolation, were it cut nowhere.
+/// Largest second difference of paths over an interval: the error of linear interpolation if it were not cut.
 double unevenness(const Polynomial& path, const Significance& significance) {
   constexpr int cuts = 16;
   double worst = 0;
@@ -197,8 +197,8 @@ double unevenness(const Polynomial& path, const Significance& significance) {
   return worst * cuts * cuts;
 }
 
-/// Number of rays for each interval: in proportion to the root of its unevenness, which minimises the error, and
-/// at least four.
+/// Number of rays for each interval: at least four, and in proportion to the root of the interval's unevenness, which
+/// minimises the error.
 std::vector<int> shares_of_rays(std::span<const double> unevenness, int rays) {
   double all = 0;
   for (const double u : unevenness) all += std::sqrt(u);

@@ -32,7 +32,7 @@ class Overhead {
   double chance_;
 };
 
-/// Air at a ray's present point.
+/// Air at a ray's current point.
 struct Standing {
   const Column* column;
   atmosphere::Amounts spectra;

@@ -16,24 +16,24 @@ struct Ray {
 /// Step lengths of tracing.
 struct Stepping {
   double step_m = 1000;         ///< arc length of one step, 1 to 100 000 m
-  double gradient_step_m = 10;  ///< of the forward differences that approximate ∇n, 1e-3 to 1e4
+  double gradient_step_m = 10;  ///< step of the forward differences for ∇n, 1e-3 to 1e4 m
 };
 
-/// Result of tracing a ray that left the air again.
+/// Result of tracing a ray that has left the air again.
 struct Traced {
   Ray leaving;
-  double transmittance;  ///< of dust and Rayleigh scattering along the path, and of ozone
+  double transmittance;  ///< due to dust and Rayleigh scattering along the path, and ozone
   int steps;
 };
 
-/// Ray moved to its first intersection with a sphere about the Earth's centre; none where it misses the sphere.
+/// Moves a ray to its first intersection with a sphere about the Earth's centre; returns nothing if it misses.
 ///
-/// Given  ray  starts outside the sphere
+/// Given  ray  one that starts outside the sphere
 std::optional<Ray> entered(const Ray& ray, double radius_m);
 
-/// Traces light through the air in three dimensions, step by step, exactly as Yapo & Cutler (2009) do: each step
-/// advances along the present direction, turns by the gradient of refractivity, and attenuates by Beer–Lambert;
-/// gradient and extinction are taken at the step's beginning.
+/// Traces light through the air in three dimensions, step by step, exactly as Yapo & Cutler (2009) do. Each step
+/// advances along the current direction, turns by the gradient of refractivity, and attenuates by Beer–Lambert;
+/// gradient and extinction are taken at the beginning of the step.
 ///
 ///     x' = x + t Δl      t' = (n(x) t + ∇n(x) Δl) / n(x')      I' = I exp(−(α + β(x)) Δl)
 ///
@@ -42,8 +42,8 @@ std::optional<Ray> entered(const Ray& ray, double radius_m);
 /// order.)
 ///
 /// Given     entering  ray at the top of the air, directed inwards
-///           chance    0 to 1: chooses one of the two belts that the ray lies between
-/// Returned  none when the ray met the ground, or passed above the air over an ellipsoid's pole
+///           chance    0 to 1: chooses one of the two belts between which the ray lies
+/// Returned  nothing if the ray met the ground, or passed above the air over an ellipsoid's pole
 /// Accuracy  with steps of 1 km, bending is too small by 0.14 % for a ray that grazes at 876 m, by 0.11 % at 3791 m;
 ///           0.06 % is due to the forward difference and stays as the step shrinks
 /// Throws    Error  when a step is outside its range, or the air traps light

@@ -10,7 +10,7 @@
 namespace coppermoon::plan {
 namespace {
 
-/// Seconds on one core of the machine that the model was measured on: AVX-512 at 3 GHz, busy.
+/// Times in seconds on one core of the machine used to measure the model: AVX-512 at 3 GHz, while busy.
 struct Costs {
   double ray_followed = 8e-6;       ///< of 250 and more, for each part of the limb
   double fan_ray = 58e-9;           ///< of one wavelength
@@ -35,11 +35,11 @@ struct Costs {
 /// Relative error of scattered light, which is computed at few places and wavelengths.
 constexpr double scattered_error = 3e-3;
 
-/// Relative error of luminance by a single photon: two standard errors in the worst ring of 50 km.
+/// Relative error of luminance with a single photon: two standard errors in the worst ring of 50 km.
 /// The error falls as the root of the number of photons.
 double noise(Solver solver) { return solver == Solver::literal ? 250 : 35; }
 
-/// Number of sectors in which photons are gathered; 1 where light is symmetric about the axis.
+/// Number of sectors in which photons are gathered; 1 if light is symmetric about the axis.
 double sectors(const Work& work, const Scene& scene) {
   const bool alike = !(work.ellipsoid && scene.ellipsoid) && !(work.regions && scene.columns > 1);
   return alike ? 1 : 24;
@@ -61,7 +61,7 @@ double seconds_of_places(const Work& work, const Scene& scene, double places) {
   const bool ellipsoid = work.ellipsoid && scene.ellipsoid;
   const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // of a region one, not two
   const double parts = regions ? fewer * static_cast<double>(scene.parts) : ellipsoid ? 2 : 1;
-  // Regions take fifty harmonics in the mean, each at half the cost: they share their bins.
+  // Regions take fifty harmonics on average, each at half the cost, as they share their bins.
   const double harmonics = regions ? (scene.borders ? 25 : 11) : ellipsoid ? 2 : 1;
   const double series =
       cost.place + terms * harmonics * (cost.place_term + cost.place_wavelength * parts * waves);
@@ -88,7 +88,7 @@ double seconds_of_quadrature(const Work& work, const Scene& scene, double distan
   const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // of a region one, not two
   const double parts = regions ? fewer * static_cast<double>(scene.parts) : ellipsoid ? 2 : 1;
   const double rays = work.rays;
-  // finer, more cuts; at sharp borders more harmonics too
+  // finer tolerances need more cuts, and at sharp borders more harmonics too
   const double cuts =
       regions && scene.borders && rays > 300 ? 1.3 * std::pow(rays / 300, 1.2) : 1 + rays / 1000;
   const double places = distances * work.planes * cuts;
@@ -102,7 +102,7 @@ double seconds_of_check(const Work& work, const Scene& scene) {
   return seconds_of_quadrature(finer(work), scene, 8);
 }
 
-/// Speed-up of parallel work by a machine's cores.
+/// Factor by which a machine's cores speed up parallel work.
 double cores(const Machine& machine) { return 1 + 0.85 * (machine.cores - 1); }
 
 }  // namespace
@@ -150,7 +150,7 @@ double predicted_seconds(const Work& work, const Scene& scene, const Machine& ma
                                 : dearer * cost.photon_wavelength * work.bands * work.planes;
     light += 0.05 + work.photons * a_photon;
   }
-  const double map = scene.map_file ? cost.map_file : 0;  // read by one core
+  const double map = scene.map_file ? cost.map_file : 0;  // one core reads it
   const double start = scene.texels > 0 ? cost.start : 0;
   const double all = start + cost.together * light + cost.texel * scene.texels + map;
   return std::max(map, all / cores(machine)) / machine.speed;

@@ -20,7 +20,7 @@ namespace {
 constexpr std::array<std::string_view, 4> term_names{"light through the air", "ellipsoid",
                                                      "regions", "scattered light"};
 
-/// Knob: settings from the cheapest to the finest, and the function that applies one.
+/// A knob's settings from the cheapest to the finest, and the function that applies one.
 struct Knob {
   std::vector<double> settings;
   std::function<void(Work&, double)> turn;
@@ -34,7 +34,7 @@ Knob knob(std::vector<double> settings, const std::optional<Member>& by_hand,
           [member](Work& work, double value) { work.*member = static_cast<Member>(value); }};
 }
 
-/// Switches of the terms: off and, where a term makes a difference, on. Refracted light is always on where it is
+/// Switches for the terms: off and, if a term makes a difference, on. Refracted light is always on if it is
 /// needed, since coarse refracted light may be worse than none.
 std::vector<Knob> switches(double tolerance, const Scene& scene, const ByHand& by_hand) {
   const auto term = [&](bool Work::*member, bool there, bool always = false) -> Knob {
@@ -58,7 +58,7 @@ std::vector<double> doubled(double from, double to) {
 std::vector<Knob> knobs(double tolerance, const Scene& scene, const ByHand& by_hand,
                         Solver solver) {
   auto all = switches(tolerance, scene, by_hand);
-  // from 24 up multiples of eight, which are computed together
+  // from 24 up, multiples of eight, because eight bands are computed together
   all.push_back(knob({10, 24, 32, 48, 80, 200, 400}, by_hand.bands, &Work::bands));
   all.push_back(knob({1, 2, 3, 5, 9}, by_hand.planes, &Work::planes));
   if (traces_photons(solver)) {
@@ -92,7 +92,7 @@ class Refinement {
     return work;
   }
 
-  /// Refines one knob; false when all are at their finest.
+  /// Refines one knob; returns false if all are at their finest.
   bool refine() {
     double best = 0;
     std::size_t chosen = knobs_.size();
@@ -157,7 +157,7 @@ std::vector<LeftOut> left_out(const Work& work, const Scene& scene) {
 Plan plan_with(Solver solver, double tolerance, const Scene& scene, const Machine& machine,
                const ByHand& by_hand) {
   Refinement refinement(tolerance, scene, by_hand, solver);
-  // settings by hand may leave more error than the tolerance; other settings need not compensate
+  // settings by hand may leave more error than the tolerance; the other settings need not compensate for it
   const double least = predicted_error(refinement.finest(), scene);
   const double goal = least > tolerance ? least + tolerance : tolerance;
   while (predicted_error(refinement.work(), scene) > goal && refinement.refine()) {
@@ -172,9 +172,9 @@ Plan plan_with(Solver solver, double tolerance, const Scene& scene, const Machin
           {}};
 }
 
-/// Plan by the cheapest solver that reaches the tolerance; where none does, by the quickest, as photons might take
+/// Plans with the cheapest solver that reaches the tolerance; if none does, with the quickest, as photons might take
 /// weeks for a tiny gain. The solver is chosen as if nothing were set by hand: somebody who asks for few rays wants
-/// a coarse quadrature instead of photons.
+/// a coarse quadrature, not photons.
 Plan plan_within(double tolerance, const Scene& scene, const Machine& machine,
                  const ByHand& by_hand) {
   const auto tried = by_hand.solver == Solver::automatic
@@ -222,7 +222,7 @@ Work finer(const Work& work) {
                    ? std::clamp(work.rays, fine_rays / 2, most_rays / 2) * 2
                    : fine_rays;  // 3e-4: the noise of ten billion photons
   finer.planes = 1;
-  finer.place_error = 0.01;  // at these places light is exact; they stand closer where it bends
+  finer.place_error = 0.01;  // light is exact at these places, which are closer where it curves
   return finer;
 }
 
@@ -248,7 +248,7 @@ Plan plan_for(const Scene& scene, const Wish& wish, const Machine& machine, cons
 
 Work work_of_rays(double tolerance, bool limb_darkening, const ByHand& by_hand) {
   auto all_but_rays =
-      by_hand;  // as fine as they go: the whole tolerance is left for rays and terms
+      by_hand;  // the finest settings, which leave the whole tolerance for rays and terms
   all_but_rays.bands = 400, all_but_rays.planes = 9, all_but_rays.place_error = 3e-5;
   return plan_for({.limb_darkening = limb_darkening, .ellipsoid = false}, {.tolerance = tolerance},
                   {}, all_but_rays)

@@ -11,8 +11,8 @@
 
 namespace coppermoon::plan {
 
-/// Ways to refracted light: the quadrature, which has no noise; photons by a table of the limb's rays; literal
-/// photons, traced step by step exactly as Yapo & Cutler (2009) do; or the choice between them, left to a plan.
+/// Ways to compute refracted light: the quadrature, which has no noise; photons through a table of the limb's rays;
+/// literal photons, traced step by step exactly as Yapo & Cutler (2009) do; or automatic, where a plan chooses.
 enum class Solver { quadrature, table, literal, automatic };
 
 /// Solvers that a plan chooses from, in order.
@@ -25,51 +25,51 @@ constexpr bool traces_photons(Solver solver) {
 /// Name in reports: "quadrature", "photons by table" or "photons literal".
 std::string_view name(Solver solver);
 
-/// Settings of the light on a Moon that trade accuracy against time.
+/// Settings for the light on a Moon that trade accuracy against time.
 struct Work {
   Solver solver = Solver::quadrature;
-  double photons = 0;            ///< number of photons; 0 with the quadrature
+  double photons = 0;            ///< number of photons; 0 for the quadrature
   bool refracted = true;         ///< light refracted by the air; off: direct sunlight alone
   bool ellipsoid = true;         ///< off: a sphere with the radius of the limb next to the Moon
-  bool regions = true;           ///< off: the whole limb has the air outside all regions
+  bool regions = true;           ///< off: the air outside all regions fills the whole limb
   bool scattered_light = false;  ///< twilight that the air scatters into the shadow
-  int bands = 200;               ///< of wavelength
-  int rays = 1000;               ///< of the limb table and the quadrature
-  int sun_terms = 6;             ///< of the limb-darkened Sun
-  int planes = 2;                ///< across the Moon's depth
-  double place_error = 1e-3;     ///< between the axis distances where light is computed
+  int bands = 200;               ///< number of wavelength bands
+  int rays = 1000;               ///< number of rays in the limb table and the quadrature
+  int sun_terms = 6;             ///< number of terms for the limb-darkened Sun
+  int planes = 2;                ///< number of planes across the Moon's depth
+  double place_error = 1e-3;     ///< tolerance between the axis distances where light is computed
 };
 
-/// Reference settings from which the error of some work is estimated: one plane, all terms, one more of the Sun's
+/// Reference settings against which the error of some work is estimated: one plane, all terms, one more of the Sun's
 /// terms, and every other knob twice as fine. None is coarse, as two coarse settings may share an error. Photons are
-/// held against a quadrature whose rays err less than their noise.
+/// compared with a quadrature whose rays err by less than the photons' noise.
 Work finer(const Work& work);
 
-/// Knobs set by hand; empty ones are chosen by the plan.
+/// Knobs set by hand; the plan chooses those that are absent.
 struct ByHand {
   Solver solver = Solver::automatic;
   std::optional<double> photons{};
   std::optional<int> bands{}, rays{}, sun_terms{}, planes{};
   std::optional<double> place_error{};
   std::optional<Work> terms{};   ///< only its four switches are used
-  bool scattered_light = false;  ///< forces scattered light, however faint, where `terms` is empty
+  bool scattered_light = false;  ///< forces scattered light, however faint, if `terms` is absent
 };
 
 /// Properties of a Moon in the Earth's shadow on which time and error depend.
 struct Scene {
   double nearest_m = 0, farthest_m = 0;  ///< least and largest axis distance of the Moon's disc
   bool limb_darkening = true, ellipsoid = true;
-  std::size_t columns = 1;  ///< columns of air; more than 1 with regions or belts
-  std::size_t parts = 1;    ///< parts of the limb with rays of their own, where columns > 1
+  std::size_t columns = 1;  ///< number of columns of air; more than 1 with regions or belts
+  std::size_t parts = 1;    ///< number of parts of the limb with their own rays, if columns > 1
   bool borders = false;     ///< whether the air changes abruptly somewhere, as with regions
-  double texels = 0;        ///< number of baked texels; 0: no texture
+  double texels = 0;        ///< number of baked texels; 0 if there is no texture
   bool map_file = false;    ///< whether an albedo map is read
 
   /// Largest relative change of luminance anywhere on the disc when a term is left out.
   double without_refracted = 1, without_ellipsoid = 0, without_regions = 0, without_scattered = 0;
 };
 
-/// Tolerance, budget of time, or both, as asked for. With both, the budget has precedence.
+/// Requested tolerance, time budget, or both. If both are given, the budget takes precedence.
 struct Wish {
   std::optional<double> tolerance{};  ///< of luminance anywhere on the disc, 1e-4 to 0.5
   std::optional<double> budget_s{};   ///< 1e-3 s or more
@@ -77,7 +77,7 @@ struct Wish {
 
 /// Speed of a machine.
 struct Machine {
-  double speed = 1;  ///< of one core, relative to the machine on which the cost model was measured
+  double speed = 1;  ///< of one core, relative to the machine used to measure the cost model
   int cores = 2;
 };
 
@@ -87,14 +87,14 @@ struct Alternative {
   double seconds, error;
 };
 
-/// Terms of the light that may be left out: light through the air, the Earth's flattening, differences of the
+/// Terms of the light that may be left out: light through the air, the Earth's flattening, differences in the
 /// air around the limb, scattered light.
 enum class Term { refracted, ellipsoid, regions, scattered_light };
 
 /// Name of a term in reports: "light through the air", "ellipsoid", "regions" or "scattered light".
 std::string_view name(Term term);
 
-/// Term of a name in reports.
+/// Term with the given name in reports.
 ///
 /// Throws  Error  when no term has that name
 Term term_named(std::string_view name);
@@ -106,15 +106,15 @@ struct LeftOut {
 
 struct Plan {
   Work work{};
-  double tolerance = 0;  ///< for which the work was chosen
+  double tolerance = 0;  ///< tolerance for which the work was chosen
   double seconds = 0, error = 0;
   std::vector<LeftOut> left_out{};
-  std::vector<Alternative> methods{};  ///< considered, best first
+  std::vector<Alternative> methods{};  ///< methods considered, best first
   bool misses_tolerance = false;       ///< at any cost, or within the budget
-  bool exceeds_budget = false;         ///< even by the coarsest work
+  bool exceeds_budget = false;         ///< even with the coarsest work
 };
 
-/// Time, and relative error of luminance, the largest on the disc.
+/// Time in seconds, and the largest relative error of luminance on the disc.
 struct Cost {
   double seconds = 0, error = 0;
 };
@@ -157,32 +157,32 @@ void describe(Field&& is, const Plan& plan) {
      "wish that is not met");
 }
 
-/// Predicted seconds for light and texture.
+/// Predicted time for light and texture, in seconds.
 ///
 /// Accuracy  a factor of two
 double predicted_seconds(const Work& work, const Scene& scene, const Machine& machine);
 
-/// Predicted bound of the relative error of luminance anywhere on the disc.
+/// Predicted bound on the relative error of luminance anywhere on the disc.
 ///
 /// Accuracy  95 of 100 scenes stay within it
 double predicted_error(const Work& work, const Scene& scene);
 
-/// Plan with the cheapest work of the cheapest solver whose predicted error is within the tolerance. The search is
+/// Plans the cheapest work, with the cheapest solver, whose predicted error is within the tolerance. The search is
 /// greedy: it begins with the coarsest work and adds, one at a time, the refinement or the term that removes most
-/// error for its time. Where settings by hand alone exceed the tolerance, all others are chosen to stay within it. The
-/// solver is chosen as if nothing were set by hand. Where no solver reaches the tolerance, the quickest is taken,
+/// error for its time. If settings by hand alone exceed the tolerance, all others are chosen to stay within it. The
+/// solver is chosen as if nothing were set by hand. If no solver reaches the tolerance, the quickest is taken and
 /// refined to within the tolerance of its best. With a budget, the plan has the finest tolerance for which
-/// there is time, or is the coarsest work where even this exceeds the budget.
+/// there is time, or is the coarsest work if even that exceeds the budget.
 ///
-/// Given     by_hand  its settings are kept
+/// Given     by_hand  settings to keep
 /// Throws    Error    when a wish is outside its range, or has neither tolerance nor budget
 Plan plan_for(const Scene& scene, const Wish& wish, const Machine& machine,
               const ByHand& by_hand = {});
 
-/// Work whose rays and terms of the Sun are chosen for light at given places and wavelengths, on one plane;
-/// all other settings are defaults.
+/// Work for light at given places and wavelengths on one plane: the number of rays and of the Sun's terms are chosen,
+/// and all other settings are defaults.
 ///
-/// Given   by_hand  its rays and terms of the Sun are kept
+/// Given   by_hand  rays and terms of the Sun to keep
 /// Throws  Error    when the tolerance is outside its range
 Work work_of_rays(double tolerance, bool limb_darkening, const ByHand& by_hand = {});
 

@@ -8,12 +8,12 @@
 
 namespace coppermoon::request {
 
-/// Number of letters to insert, drop or change to make one word of the other (Levenshtein).
+/// Number of letters to insert, drop or change to turn one word into the other (Levenshtein).
 std::size_t letters_apart(std::string_view a, std::string_view b);
 
-/// Word of those known that takes the fewest letters to insert, drop or change (Levenshtein).
+/// The known word that the fewest letters to insert, drop or change separate from `word` (Levenshtein).
 ///
-/// Given  known  one or more
+/// Given  known  at least one word
 std::string nearest(std::string_view word, const std::vector<std::string>& known);
 
 }  // namespace coppermoon::request

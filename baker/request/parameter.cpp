@@ -16,7 +16,7 @@
 namespace coppermoon::request {
 namespace {
 
-/// A text that is to be a whole number.
+/// Result of reading a text as a whole number.
 template <class Whole>
 struct Read {
   Whole value{};
@@ -46,7 +46,7 @@ std::string fault_of(const std::string& text) {
   return fmt::format("{}, allowed {}", text, number ? "whole numbers" : "a number");
 }
 
-/// "step [km]" of "step-km"; "cloud cover".
+/// Title for a parameter: "step [km]" for "step-km"; "cloud cover" for "cloud-cover".
 std::string title_of(const Parameter& parameter) {
   auto title = parameter.name;
   const auto unit = unit_of(parameter);
@@ -73,7 +73,7 @@ bool holds(const Condition& condition, const Parameter& other) {
   });
 }
 
-/// "--solver photons or literal"
+/// Condition in words: "--solver photons or literal".
 std::string in_words(const Condition& condition, const std::string& name) {
   return condition.values.empty() ? name
                                   : fmt::format("{} {}", name, fmt::join(condition.values, " or "));
@@ -124,7 +124,7 @@ std::string fault_in(Kind kind, const std::string& text) {
 }
 
 std::string spelt(Kind kind, const std::string& text) {
-  if (kind == Kind::number)  // TOML has no -0 that is whole
+  if (kind == Kind::number)  // TOML has no whole number -0
     if (const auto number = algebra::number_in(text)) return fmt::format("{}", *number + 0.);
   if (kind == Kind::whole) return text_of(whole_in<int>(text).value);
   if (kind == Kind::natural) return text_of(whole_in<std::size_t>(text).value);
@@ -189,7 +189,7 @@ const Parameter* Parameters::find(std::string_view name) const {
 
 namespace {
 
-/// "without --camera", "beside --unshadowed": why a parameter has no effect; empty where it has one.
+/// Why a parameter has no effect: "without --camera", "beside --unshadowed". Empty if it has one.
 std::string reason_of(const Parameters& all, const Parameter& parameter,
                       const std::function<std::string(const Parameter&)>& spelt) {
   for (const auto& [needed, conditions, of] : parameter.relations) {
@@ -218,7 +218,7 @@ std::string reason_of(const Parameters& all, const Parameter& parameter,
 std::vector<std::string> without_effect(const Parameters& parameters,
                                         const std::function<std::string(const Parameter&)>& spelt,
                                         const std::function<bool(const Parameter&)>& asked) {
-  std::vector<std::pair<std::string, std::string>> names;  // by reason
+  std::vector<std::pair<std::string, std::string>> names;  // reason, parameters
   for (const auto& parameter : parameters) {
     if (!parameter.given || !asked(parameter)) continue;
     const auto reason = reason_of(parameters, parameter, spelt);

@@ -31,15 +31,15 @@ enum class Kind {
   folder_written
 };
 
-/// Stage of the work that a parameter affects first; all later stages follow.
+/// The earliest stage of the work that a parameter affects; all later stages are affected too.
 enum class Affects {
-  photons,  ///< photons traced, and light, which is made of them
+  photons,  ///< photons traced, and the light computed from them
   light,    ///< light on the Moon
   ground,   ///< the Moon's ground, its texture, or the moment
-  sight,    ///< air between the Moon and the observer: textures and frames
-  frame,    ///< the camera's place and field: frames
-  picture,  ///< exposure and development: pictures
-  share,    ///< part of the work that this run does
+  sight,    ///< air between the Moon and the observer, in textures and frames
+  frame,    ///< position and field of the camera, in frames
+  picture,  ///< exposure and development, in pictures
+  share,    ///< which part of the work this run does
   run       ///< where results go, and how a run is reported
 };
 
@@ -50,82 +50,83 @@ struct Range {
 
 using Texts = std::vector<std::string>;
 
-/// Error of a text that is no value of its parameter's kind, or none of the words allowed.
+/// Error for a text that is not a value of its parameter's kind, or not one of the words allowed.
 struct UnknownWord : algebra::Error {
   using algebra::Error::Error;
 };
 
 class Parameters;
 
-/// What stands at another parameter of a request: any value, or one of some.
+/// Condition on another parameter of a request: that it has a value, or one of certain values.
 struct Condition {
-  std::string name;  ///< of the other parameter
-  /// Values that count, of a list with commas any of its parts; ".png" is the ending of a file's name. Empty: any value.
+  std::string name;  ///< name of the other parameter
+  /// Values that meet it; in a list with commas, any part may match. ".png" is the ending of a file's name. If empty,
+  /// any value meets it.
   Texts values{};
 };
 using Conditions = std::vector<Condition>;
 
-/// Dependence of a parameter's effect on other parameters. Those that a command has not are passed over.
+/// How a parameter's effect depends on other parameters. Parameters that a command does not have are ignored.
 struct Relation {
   bool
-      needed;  ///< an effect only with one of the conditions, never without any; else none beside any of them
+      needed;  ///< true: has an effect only if one of the conditions holds; false: only if none does
   Conditions conditions;
-  Texts of{};  ///< values of the parameter itself that depend so; empty: all
+  Texts of{};  ///< values of the parameter itself that this applies to; empty: all
 };
 
 /// One parameter of a request, bound to the field that holds its value.
 ///
-/// Every door speaks text: a number is spelt so that it reads back as the same number.
+/// All values pass through text: a number is spelt so that it reads back as the same number.
 struct Parameter {
   std::string name;  ///< "ozone-du": its flag without dashes, its key in a recipe
-  /// Of its flag, as "-o,--output"; the name alone where it is "--" and the name
+  /// Spellings of its flag, such as "-o,--output"; just the name if the flag is "--" and the name
   std::string spelling;
   Kind kind = Kind::text;
-  std::string meaning;  ///< for help, docstrings and tables; with unit and range
+  std::string meaning;  ///< explanation for help, docstrings and tables, with unit and range
   std::optional<Range> range{};
   Texts words{};
-  /// Endings of a file that is written, and what each holds; none: those that `meaning` names
+  /// Endings allowed for a file to write, and what each holds. If empty, `meaning` names them.
   std::vector<std::pair<std::string, std::string>> endings{};
-  std::string usual{};    ///< the field's first value; empty: none
-  std::string heading{};  ///< in help; for readers alone
-  std::string table{};    ///< of a recipe, as "camera"; empty: above all tables
+  std::string usual{};    ///< default, the field's initial value; empty if none
+  std::string heading{};  ///< heading in help, only for readers
+  std::string table{};    ///< table in a recipe, such as "camera"; empty: above all tables
   Affects affects = Affects::ground;
-  bool planned = false;  ///< replaced by the plan's work in the recipe of what was made
-  bool many = false;     ///< may be given again, and every value counts
+  bool planned = false;  ///< replaced in the result's recipe by what the plan chose
+  bool many = false;     ///< may be given several times, and every value counts
   bool is_required = false;
-  Texts excluded{};                     ///< names of parameters that it is refused beside
-  std::shared_ptr<Parameters> parts{};  ///< of a value "name=text,name=text"; else none
-  std::vector<Relation> relations{};    ///< that decide whether it has an effect
-  std::optional<Texts> given{};         ///< texts that a door gave, as a recipe spells them
+  Texts excluded{};                     ///< names of parameters that it cannot be combined with
+  std::shared_ptr<Parameters> parts{};  ///< parts of a value "name=text,name=text", if it has any
+  std::vector<Relation> relations{};    ///< decide whether it has an effect
+  std::optional<Texts> given{};         ///< texts that the caller gave, as a recipe spells them
 
-  std::function<Texts()> read{};  ///< texts of the field's value; empty: no value
-  /// Throws algebra::Error for texts that are not allowed
+  std::function<Texts()> read{};  ///< returns the field's value as texts
+  /// Sets the field; throws algebra::Error for texts that are not allowed
   std::function<void(const Texts&)> write{};
-  std::function<void()> restore{};  ///< puts back the field's first value
-  /// Text as recipes spell it, in place of `spelt`: "10" of "10s". Throws algebra::Error for texts that are not allowed
+  std::function<void()> restore{};  ///< restores the field's initial value
+  /// Text as recipes spell it, used in place of `spelt`: "10" for "10s". Throws algebra::Error for a text not allowed
   std::function<std::string(const std::string&)> respelt{};
 
-  /// Texts that were given, else of the field's value.
+  /// The texts that were given, else those of the field's value.
   Texts texts() const { return given ? *given : read(); }
 
-  /// Whether words of a command line without a flag are its values, as the instant.
+  /// Whether its value may stand on a command line without a flag, as the instant may.
   bool is_positional() const {
     return spelling.front() != '-' && spelling.find(',') != std::string::npos;
   }
 
-  /// The last of `texts`; empty: no value.
+  /// The last of `texts`; empty if there is no value.
   std::string text() const;
 
-  /// Whether some value stands there: given, or the field's own.
+  /// Whether there is a value, given or the field's own.
   bool has_value() const { return !texts().empty(); }
 
   /// Sets the field from the texts of a flag, a recipe or a Python argument.
   ///
-  /// Throws  UnknownWord     for a text that is no value of its kind, or none of the words
-  ///         algebra::Error  for one that is not allowed: also for a number outside the range
+  /// Throws  UnknownWord     for a text that is not a value of its kind, or not one of the words
+  ///         algebra::Error  for a text that is not allowed, such as a number outside the range
   void take(const Texts& texts);
 
-  /// Forgets what was given.
+  /// Forgets the texts that were given.
   void reset();
 
   Parameter& in(std::string title) { return heading = std::move(title), *this; }
@@ -137,7 +138,7 @@ struct Parameter {
   Parameter& excludes(std::string other) { return excluded.push_back(std::move(other)), *this; }
   Parameter& reads_file() { return as(Kind::file_read); }
   Parameter& writes_file() { return as(Kind::file_written).of(Affects::run); }
-  /// Names a file that is written, in one of the formats of a table.
+  /// Its value names a file to write, in one of the formats in a table.
   template <class Formats>
   Parameter& writes_file(const Formats& formats) {
     for (const auto& format : formats) endings.emplace_back(format.ending, format.help);
@@ -148,39 +149,39 @@ struct Parameter {
   Parameter& spelt_by(std::function<std::string(const std::string&)> how) {
     return respelt = std::move(how), *this;
   }
-  /// Has an effect only where one of the conditions holds, never where there is none; `own`: of these values alone.
+  /// Has an effect only if one of the conditions holds; `own`: this applies only to these values of its own.
   Parameter& only_with(Conditions any, Texts own = {}) {
     return relations.push_back({true, std::move(any), std::move(own)}), *this;
   }
-  /// Has no effect where one of the conditions holds; `own`: of these values alone.
+  /// Has no effect if one of the conditions holds; `own`: this applies only to these values of its own.
   Parameter& not_beside(Conditions any, Texts own = {}) {
     return relations.push_back({false, std::move(any), std::move(own)}), *this;
   }
 };
 
-/// Whether the recipe of what is made holds that parameter.
+/// Whether the recipe of a result includes a parameter.
 inline bool in_recipes(const Parameter& parameter) { return parameter.affects < Affects::share; }
 
-/// Whether values of that kind are numbers in TOML, JSON and Python.
+/// Whether values of a kind are numbers in TOML, JSON and Python.
 inline bool is_number(Kind kind) {
   return kind == Kind::number || kind == Kind::whole || kind == Kind::natural;
 }
 
-/// Whether values of that kind name what is read or written.
+/// Whether values of a kind name a file or folder to write.
 inline bool is_written(Kind kind) {
   return kind == Kind::file_written || kind == Kind::folder_written;
 }
 
-/// Unit that the meaning of a number tells, as "km" of "step of a path [km]"; empty: none.
+/// Unit that the meaning of a number gives in brackets, such as "km" in "step of a path [km]"; empty if none.
 std::string unit_of(const Parameter& parameter);
 
-/// Why a text is no value of that kind, as "1.5, allowed whole numbers"; empty where it is one.
+/// Why a text is not a value of a kind, such as "1.5, allowed whole numbers"; empty if it is one.
 std::string fault_in(Kind kind, const std::string& text);
 
-/// The text as recipes spell it: numbers alike however they were given.
+/// The text as recipes spell it: equal numbers are spelt alike however they were given.
 std::string spelt(Kind kind, const std::string& text);
 
-/// Text of a value as recipes write it; read_text reads it back.
+/// A value as recipes write it; read_text reads it back.
 std::string text_of(double value);
 std::string text_of(int value);
 std::string text_of(std::size_t value);
@@ -192,7 +193,7 @@ void read_text(const std::string& text, std::size_t& value);
 inline void read_text(const std::string& text, std::string& value) { value = text; }
 inline void read_text(const std::string& text, std::filesystem::path& value) { value = text; }
 
-/// "ozone-du", "output", "instant" of "ozone-du", "-o,--output", "instant,--instant".
+/// Name in a spelling: "ozone-du", "output", "instant" for "ozone-du", "-o,--output", "instant,--instant".
 std::string name_in(std::string_view spelling);
 
 constexpr Kind kind_of(double) { return Kind::number; }
@@ -207,7 +208,7 @@ constexpr Kind kind_of(const std::optional<Value>&) {
   return kind_of(Value{});
 }
 
-/// Texts of a field; none: no value. `put` reads them back.
+/// A field's value as texts; empty if it has none. `put` reads them back.
 template <class Value>
 Texts texts_of(const Value& value) {
   auto text = text_of(value);
@@ -238,7 +239,7 @@ void put(const Texts& texts, std::vector<Value>& values) {
   values.assign(texts.begin(), texts.end());
 }
 
-/// A parameter of a field, whose texts are read and written by functions.
+/// A parameter bound to a field by functions that read and write its texts.
 template <class Value>
 Parameter bound(const std::string& spelling, Value& value, std::string meaning,
                 std::function<Texts()> read, std::function<void(const Texts&)> write) {
@@ -249,8 +250,8 @@ Parameter bound(const std::string& spelling, Value& value, std::string meaning,
   return made;
 }
 
-/// A parameter of a field: a double, int, std::size_t, std::string or path, one of these that may be without a
-/// value, or a list of texts or paths.
+/// A parameter bound to a field: a double, int, std::size_t, std::string or path, an optional one of these, or a list
+/// of texts or paths.
 template <class Value>
 Parameter parameter(const std::string& spelling, Value& value, std::string meaning) {
   auto made = bound(
@@ -262,10 +263,10 @@ Parameter parameter(const std::string& spelling, Value& value, std::string meani
   return made;
 }
 
-/// A parameter whose text a function reads, as "2s" or "42.86,-73.77".
+/// A parameter whose text is read by a function, such as "2s" or "42.86,-73.77".
 ///
-/// Given  read   text of the field's value; empty: no value
-///        write  puts the text's value into the field; throws algebra::Error for one that it cannot read
+/// Given  read   returns the field's value as text; empty if it has none
+///        write  sets the field from a text; throws algebra::Error for a text that it cannot read
 template <class Value>
 Parameter parsed(const std::string& spelling, Value& value, std::function<std::string()> read,
                  std::function<void(const std::string&)> write, std::string meaning) {
@@ -274,16 +275,16 @@ Parameter parsed(const std::string& spelling, Value& value, std::function<std::s
       [write = std::move(write)](const Texts& texts) { write(texts.back()); });
 }
 
-/// Words of a parameter, each with its value.
+/// Words that a parameter accepts, each with its value.
 template <class Value>
 using Words = std::vector<std::pair<std::string, Value>>;
 
-/// Place of a word among a parameter's words.
+/// Index of a text among a parameter's words.
 ///
-/// Throws  algebra::Error  when it is none of them: names them
+/// Throws  algebra::Error  if the text is none of the words; the message lists them
 std::size_t word_in(const Texts& words, const std::string& name, const std::string& text);
 
-/// Word of a value; empty: none.
+/// Word that stands for a value; empty if none does.
 template <class Value, class Field>
 std::string word_for(const Words<Value>& words, const Field& field) {
   for (const auto& [word, value] : words)
@@ -300,7 +301,7 @@ struct Held<std::optional<Field>> {
   using Value = Field;
 };
 
-/// A parameter of one of some words; of a field that may be without a value, too.
+/// A parameter whose value is one of several words; the field may be optional.
 template <class Field>
 Parameter choice(const std::string& spelling, Field& field,
                  const Words<typename Held<Field>::Value>& words, std::string meaning) {
@@ -317,7 +318,7 @@ Parameter choice(const std::string& spelling, Field& field,
   return made;
 }
 
-/// "on" or "off".
+/// A parameter whose value is "on" or "off".
 template <class Switch>
 Parameter on_off(const std::string& spelling, Switch& value, std::string meaning) {
   return choice(spelling, value, Words<bool>{{"on", true}, {"off", false}}, std::move(meaning));
@@ -326,15 +327,15 @@ Parameter on_off(const std::string& spelling, Switch& value, std::string meaning
 /// A flag without a value.
 Parameter presence(const std::string& spelling, bool& value, std::string meaning);
 
-/// Parameters in the order of help. Fields that they are bound to stay where they are for as long as they are used.
+/// Parameters in the order of help. The fields that they are bound to must not move while the parameters are in use.
 class Parameters {
  public:
-  /// Heading, recipe's table, and what is affected, of all that is added from here on.
+  /// Sets the heading, the recipe's table and the stage affected for all parameters added from here on.
   void begin(std::string heading, std::string table, Affects affects);
 
   Parameter& add(Parameter parameter);
 
-  /// Keeps a parameter of another list as it is.
+  /// Adds a parameter from another list unchanged.
   Parameter& keep(Parameter parameter) { return all_.emplace_back(std::move(parameter)); }
 
   Parameter* find(std::string_view name);
@@ -346,25 +347,25 @@ class Parameters {
   auto end() const { return all_.end(); }
   std::size_t size() const { return all_.size(); }
 
-  /// Addresses last when more are added
+  /// A deque, so that addresses stay valid when more are added
  private:
   std::deque<Parameter> all_;
   std::string heading_, table_;
   Affects affects_ = Affects::ground;
 };
 
-/// Given parameters that have no effect beside the others, as "--sky, --glow: no effect without --camera"; one line for
-/// each reason.
+/// Which of the given parameters have no effect, such as "--sky, --glow: no effect without --camera", one line for each
+/// reason.
 ///
-/// Given  spelt  a parameter's name as the door spells it
-///        asked  those that are asked for by somebody, not by a recipe that holds all values
+/// Given  spelt  spells a parameter's name for the user
+///        asked  which parameters the user asked for, rather than a recipe that holds all values
 std::vector<std::string> without_effect(const Parameters& parameters,
                                         const std::function<std::string(const Parameter&)>& spelt,
                                         const std::function<bool(const Parameter&)>& asked);
 
-/// Takes the parts of a value, as "from-latitude=-90,to-latitude=0"; all others are reset.
+/// Sets the parts of a value from a text such as "from-latitude=-90,to-latitude=0" and resets all other parts.
 ///
-/// Throws  algebra::Error  for a part that there is not, or that is not allowed
+/// Throws  algebra::Error  for a part that does not exist, or a value that is not allowed
 void take_parts(Parameters& parts, const std::string& text);
 
 }  // namespace coppermoon::request

@@ -11,56 +11,57 @@ namespace coppermoon::request {
 
 struct Setting;
 
-/// Settings in the order in which TOML lists them, each name once.
+/// Settings in the order in which the TOML lists them, each name once.
 using Recipe = std::vector<Setting>;
 
-/// What a recipe says of one parameter.
+/// What a recipe says about one parameter.
 struct Setting {
   std::string name{};
-  Texts texts{};                ///< as Parameter::take has them; none: no value
-  std::vector<Recipe> parts{};  ///< of each value, where values have parts, as regions of the air
-  bool bare = false;            ///< in TOML without quotes: numbers, true and false
-  std::string table{};  ///< that it is in, or would be in beside values with parts; empty: none
+  Texts texts{};                ///< as Parameter::take expects them; empty if there is no value
+  std::vector<Recipe> parts{};  ///< of each value that has parts, such as a region of the air
+  bool bare = false;            ///< written without quotes in TOML: numbers, true and false
+  std::string table{};  ///< table that it belongs to beside values with parts; empty if none
   Affects affects = Affects::ground;
-  std::string where{};  ///< "moon.toml:3: " of a recipe that was read
+  std::string where{};  ///< place in the file that was read: "moon.toml:3: "
 
   bool has_value() const { return !texts.empty() || !parts.empty(); }
 };
 
-/// Recipe of a request, with the values of parameters that were not given too. Names of files that are read are in
-/// their form for sharing (files::name_to_share).
+/// Recipe for a request, including the values of parameters that were not given. Names of files to read are made fit
+/// to be shared (files::name_to_share).
 ///
-/// Given   chosen          parameters that it holds; without: those that recipes hold (in_recipes)
-/// Throws  algebra::Error  when a region cannot be understood
+/// Given   chosen          which parameters to include; by default those that belong in recipes (in_recipes)
+/// Throws  algebra::Error  if a region cannot be understood
 Recipe recipe_of(const Parameters& parameters,
                  const std::function<bool(const Parameter&)>& chosen = in_recipes);
 
-/// Recipe in TOML, one line a setting; behind them, where values have parts, the table that these are in.
+/// Recipe as TOML, one line per setting, followed by the tables of values that have parts.
 std::string text_of(const Recipe& recipe);
 
-/// Recipe that a text in TOML holds. A table's key `model` is the parameter of the table's name.
+/// Recipe read from a text in TOML. The key `model` in a table gives the parameter that has the table's name.
 ///
-/// Given   file  for errors: "<file>:<line>: …"
-///         bare  names of settings, each on a line of its own, whose texts are without quotes
-/// Throws  algebra::Error  for a text that is no TOML, has more than 1 MiB, a zero byte or a name of 17 parts; for a
-///                         name that is there twice
+/// Given   file  name to show in errors: "<file>:<line>: …"
+///         bare  names of settings, each on a line of its own, whose texts are not in quotes
+/// Throws  algebra::Error  if the text is not TOML, exceeds 1 MiB, or has a zero byte, a name of 17 parts, or the same
+///                         name twice
 Recipe recipe_in(std::string text, const std::string& file = {}, const Texts& bare = {});
 
-/// Setting of that name; null: none.
+/// Setting with this name; nullptr if there is none.
 const Setting* setting_in(const Recipe& recipe, const std::string& name);
 
-/// Recipe with values in place of those that it has of the same names: first, in their order.
+/// Recipe with some values replaced or added. These come first, in their own order.
 Recipe with(std::vector<Setting> values, const Recipe& recipe);
 
-/// A parameter that differs between two recipes, and its value in each as TOML writes it; "none" where one has none.
+/// A parameter that differs between two recipes, and its value in each as TOML writes it; "none" if it has no value.
 struct Difference {
   std::string name, first, second;
   bool of_parts = false;
 };
 
-/// Differences of two recipes, in the order of the first, then those in the second alone.
+/// Differences between two recipes, in the order of the first, then settings that only the second has.
 ///
-/// Given  counts  which settings do: asked of the second's, of the first's where the second has none
+/// Given  counts  which settings to compare: asked about the second recipe's setting, or the first's if the second
+///                has none
 std::vector<Difference> differences(
     const Recipe& first, const Recipe& second,
     const std::function<bool(const Setting&)>& counts = [](const Setting&) { return true; });

@@ -14,7 +14,7 @@ std::string text_of(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-/// In quotes where it holds a comma.
+/// Text of a CSV cell, in quotes if it contains a comma.
 std::string cell(const Json& value) {
   const auto text = text_of(value);
   return text.find(',') == std::string::npos ? text : '"' + text + '"';

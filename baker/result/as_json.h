@@ -13,14 +13,14 @@ namespace coppermoon::result {
 
 using Json = nlohmann::ordered_json;
 
-/// How values are written.
+/// How values are written as JSON.
 struct Style {
-  almanac::Calendar calendar = almanac::Calendar::gregorian;  ///< of dates
-  bool as_row = false;  ///< every key is there, that of no value with null
-  int decimals = 0;     ///< of an instant's seconds
+  almanac::Calendar calendar = almanac::Calendar::gregorian;  ///< for dates
+  bool as_row = false;  ///< writes every key, with null if there is no value
+  int decimals = 0;     ///< in the seconds of an instant
 };
 
-/// A result as an object, keys in the order of its description. Numbers that are not finite are null.
+/// A result as a JSON object, with keys in the order of its description. Numbers that are not finite become null.
 template <Described Result>
 Json as_json(const Result& result, const Style& style = {});
 
@@ -110,10 +110,10 @@ Json as_json(const Result& result, const Style& style) {
   return json;
 }
 
-/// Rows as CSV under the names of their columns: objects with the same keys, none nested. Null is empty.
+/// Rows as CSV with a header line. Each row is an object with the same keys and nothing nested; null is left empty.
 std::string as_csv(const Json& rows);
 
-/// Results as CSV, a row each.
+/// Results as CSV, one row each.
 template <class Results>
 requires Described<std::ranges::range_value_t<Results>> std::string as_csv(const Results& results,
                                                                            Style style = {}) {
@@ -121,9 +121,9 @@ requires Described<std::ranges::range_value_t<Results>> std::string as_csv(const
   return as_csv(json_of(results, style));
 }
 
-/// Object as lines of key and value, for a terminal.
+/// An object as text for a terminal, with a key and its value on each line.
 ///
-/// Given  number  format of numbers, as "{:.6f}"
+/// Given  number  format for numbers, such as "{:.6f}"
 std::string as_lines(const Json& object, const std::string& number);
 
 }  // namespace coppermoon::result

@@ -10,12 +10,12 @@
 
 namespace coppermoon::result {
 
-/// Numbers by the name of their column, one for each row.
+/// Name of a column, and its numbers, one for each row.
 using Column = std::pair<std::string, std::vector<double>>;
 
 namespace detail {
 
-/// Visitor that adds a row's numbers to columns: the k-th that is described to the k-th column.
+/// Visitor that adds a row's numbers to columns: the k-th number described goes to the k-th column.
 struct Gathers {
   std::vector<Column>& columns;
   std::size_t next = 0;
@@ -44,7 +44,7 @@ struct Gathers {
 
 }  // namespace detail
 
-/// The numbers of results that have the same keys, column by column: NaN where there is none, angles in degrees.
+/// Numbers from results that have the same keys, as columns: NaN if a number is missing, angles in degrees.
 template <class Results>
 std::vector<Column> columns_of(const Results& results) {
   std::vector<Column> columns;

@@ -19,14 +19,14 @@
 
 namespace coppermoon::result {
 
-/// Any visitor of a description.
+/// Stands for any visitor that can be passed to `describe`.
 struct AnyVisitor {
   void a(std::string_view name, std::string_view meaning);
   template <class... Value>
   void operator()(const Value&... value);
 };
 
-/// Results that describe themselves.
+/// Results for which there is a function `describe`.
 template <class Result>
 concept Described = requires(AnyVisitor visitor, const Result& result) {
   describe(visitor, result);
@@ -49,30 +49,31 @@ enum class Kind { truth, whole, number, text, word, instant, numbers, list, by_n
 struct Field {
   std::string key{};
   Kind kind = Kind::number;
-  Kind of = Kind::number;  ///< of each value of a list, or of those by name
+  Kind of = Kind::number;  ///< kind of the values in a list or by name
   std::string unit{}, meaning{};
-  bool may_be_none = false;    ///< null, or left out
-  bool may_be_absent = false;  ///< left out where there is none
-  int axes = 0;                ///< of `numbers`
+  bool may_be_none = false;    ///< may be null or left out
+  bool may_be_absent = false;  ///< is left out if there is no value
+  int axes = 0;                ///< number of axes, for `numbers`
   std::vector<std::string> words{};
-  std::string type{};          ///< name of the result that is `object`, or one of the list
-  std::vector<Field> parts{};  ///< of that result
+  std::string type{};          ///< name of the result type, for an `object` or a list of them
+  std::vector<Field> parts{};  ///< fields of that result type
 };
 
-/// A result: its name, what it is, and its fields.
+/// Description of a result type: its name, what it is, and its fields.
 struct Fields {
   std::string name, meaning;
   std::vector<Field> all;
-  bool many = false;  ///< a list of such results
+  bool many = false;  ///< whether it is a list of such results
 };
 
 template <Described Result>
 Fields fields_of();
 
-/// Text for people: the meaning, and the unit in brackets.
+/// Meaning of a field with its unit in brackets, for readers.
 std::string meaning_of(const Field& field);
 
-/// A result as JSON: `meaning`, `many`, `fields`, each with `key`, `kind`, `unit`, `words`, `may_be`, `meaning`, `fields`.
+/// Description of a result as JSON: `meaning`, `many`, and `fields`, each with `key`, `kind`, `unit`, `words`,
+/// `may_be`, `meaning`, `fields`.
 nlohmann::ordered_json as_json(const Fields& fields);
 
 namespace detail {
@@ -133,11 +134,11 @@ void set_kind(Field& field) {
   }
 }
 
-/// Visitor that takes down what a description says, whatever the values are.
+/// Visitor that records the fields in a description, whatever their values.
 struct TakesDown {
   Fields fields;
 
-  /// The first counts: a result may describe a part of it beside its own values.
+  /// Only the first name counts: after its own values, a result may also describe a part of itself.
   void a(std::string_view name, std::string_view meaning) {
     if (!fields.name.empty()) return;
     fields.name = name;
@@ -172,7 +173,7 @@ struct TakesDown {
 
 }  // namespace detail
 
-/// Fields of a result, by its type alone.
+/// Fields of a result, from its type alone.
 template <Described Result>
 Fields fields_of() {
   detail::TakesDown taken;
@@ -180,7 +181,7 @@ Fields fields_of() {
   return taken.fields;
 }
 
-/// Fields of a list of results.
+/// Fields of the results in a list.
 template <Described Result>
 Fields fields_of_each() {
   auto fields = fields_of<Result>();

@@ -23,12 +23,12 @@ namespace {
 using algebra::Grid;
 using atmosphere::Atmosphere;
 
-/// Number of photons whose rows are held at once.
+/// Number of photons whose rows are held in memory at once.
 constexpr std::size_t batch = 32;
 
 /// Buffers of one thread.
 struct Workplace {
-  Tally tally;                   ///< of a block
+  Tally tally;                   ///< light from one block
   Grid<float> light, landing_m;  ///< (photon of a batch, wavelength)
 
   Workplace(std::size_t cells, std::size_t waves)
@@ -142,10 +142,10 @@ class Simulation {
   const PhotonSettings& settings_;
   std::vector<atmosphere::Optics> optics_;
   Rings rings_;
-  std::optional<LimbLandings> landings_;  ///< none for literal photons
+  std::optional<LimbLandings> landings_;  ///< absent for literal photons
 };
 
-/// Progress by blocks done.
+/// Progress, counted in finished blocks.
 struct BlockProgress {
   const algebra::Progress& told;
   std::uint64_t all;
@@ -171,7 +171,7 @@ void add_blocks(const Simulation& simulation, BlockRange blocks, BlockSums& sums
     next = std::min(blocks.to, from + size);
     return {from, next};
   };
-  // called after every block, though blocks count part by part: the callback may cancel
+  // called after every block, although only whole parts count, because the callback may cancel
   const auto tell = [&] { progress.tell(); };
   const auto trace = [&](BlockRange range) -> Part {
     return {range, std::make_shared<BlockSums>(simulation.simulated(range, tell))};
@@ -226,7 +226,7 @@ PhotonSums no_photons(const Atmosphere& atmosphere, const Arrangement& arrangeme
           nothing};
 }
 
-/// Adds a tally's rows to the grids of all planes and sectors, without the ring of all that lands farther out.
+/// Adds a tally's rows to the grids of all planes and sectors, except the ring for light that lands farther out.
 void add(const Grid<double>& rows, std::vector<Grid<double>>& grids) {
   for (std::size_t g = 0; g < grids.size(); ++g)
     for (std::size_t r = 0; r < grids[g].rows(); ++r)
@@ -245,7 +245,7 @@ std::vector<BlockRange> first_of(const std::vector<BlockRange>& ranges, std::uin
   return first;
 }
 
-/// Whether the settings have a stopping rule and the photons meet it.
+/// Whether there is a stopping rule and the photons meet it.
 bool enough(const PhotonSums& sums, const PhotonSettings& settings) {
   if (!settings.enough || blocks_in(sums.done) < blocks_for_an_error) return false;
   return worst_error(estimated(sums), *settings.enough) <= settings.enough->tolerance;

@@ -37,9 +37,9 @@ int highest_harmonic(const Atmosphere& atmosphere, int rays) {
 /// Width of the bins of landing distance; inversely proportional to the number of rays.
 double bin_width_m(int rays) { return std::clamp(1.2e6 / rays, 100., 50e3); }
 
-/// Position angles to compute, and the one that each sector takes its light from: its own or, with belts, its
-/// mirror image. Sectors not asked for have none. For an ellipsoid with one column only the directions of pole
-/// and equator are computed.
+/// Position angles to compute, and the one from which each sector takes its light: its own or, with belts, its
+/// mirror image. Sectors that were not requested have none. For an ellipsoid with one column, only the directions of
+/// pole and equator are computed.
 struct Directions {
   std::vector<double> angles_rad;
   std::vector<std::optional<std::size_t>> of_sector = {};
@@ -69,7 +69,7 @@ struct Ring {
   Grid<double> ratio;
 };
 
-/// Computation of light at axis distances, on all planes.
+/// Computes light at given axis distances, on all planes.
 class Solver {
  public:
   explicit Solver(const LandedPlane::Sunlit& sunlit)
@@ -104,17 +104,17 @@ class Solver {
   std::vector<LandedPlane> planes_;
 };
 
-/// Direct light at an axis distance, over unshaded sunlight.
+/// Direct light at an axis distance, as a ratio to unshaded sunlight.
 double direct_light(const Atmosphere& atmosphere, const Arrangement& arrangement, double gamma_m) {
   return 1 - covered_part(gamma_m, arrangement.depths_m.front(), arrangement.sun_distance_m,
                           atmosphere.top_radius_m());
 }
 
-/// Error of a cubic through four rings at the ring between them, over refracted and direct light there: summed
-/// over wavelengths, the largest of all atmospheres and angles.
+/// Error of a cubic through four rings at the ring between them, relative to refracted plus direct light there.
+/// Summed over wavelengths; the largest in any atmosphere and at any angle.
 ///
-/// Given  direct  direct light, dark_ratio at least
-///        airs    number of atmospheres; a ring's columns are the wavelengths of one after the other
+/// Given  direct  direct light, at least dark_ratio
+///        airs    number of atmospheres; a ring's columns hold the wavelengths of each in turn
 double surprise(std::span<const Ring> about, const Ring& middle, double direct, std::size_t airs) {
   std::vector<double> gammas_m;
   for (const auto& ring : about) gammas_m.push_back(ring.gamma_m);
@@ -135,9 +135,9 @@ double surprise(std::span<const Ring> about, const Ring& middle, double direct, 
   return worst;
 }
 
-/// Halves the open intervals between rings; an interval stays open where the cubic erred by more than the tolerance.
+/// Halves the open intervals between rings; an interval stays open if the cubic erred by more than the tolerance.
 ///
-/// Given  open  by ring: whether the interval above it is
+/// Given  open  for each ring, whether the interval above it is open
 void halve(Solver& solver, std::span<const Atmosphere> airs, const Arrangement& arrangement,
            const QuadratureSettings& settings, std::vector<Ring>& all, std::vector<bool>& open) {
   constexpr double narrowest_m = 3e3;
@@ -170,7 +170,7 @@ void halve(Solver& solver, std::span<const Atmosphere> airs, const Arrangement& 
   open = std::move(finer_open);
 }
 
-/// Rings at the axis distances asked for, with more inserted between them.
+/// Rings at the requested axis distances, with more inserted between them.
 std::vector<Ring> refined(Solver& solver, std::span<const Atmosphere> airs,
                           const Arrangement& arrangement, std::span<const double> gammas_m,
                           const QuadratureSettings& settings, const algebra::Progress& progress) {
@@ -181,7 +181,7 @@ std::vector<Ring> refined(Solver& solver, std::span<const Atmosphere> airs,
   return all;
 }
 
-/// Writes rings' angles into the light's sectors. For an ellipsoid with one column, a sector interpolates
+/// Writes light at the rings' angles into the sectors. For an ellipsoid with one column, a sector interpolates
 /// between pole and equator linearly in cos 2θ: the limb's parts are mixed by cos² θ, so light has no higher
 /// harmonic.
 ///
@@ -232,7 +232,7 @@ Wavelengths chosen(std::span<const Atmosphere> airs, std::span<const atmosphere:
   return some;
 }
 
-/// Rings at the axis distances asked for, and inserted ones. Where light of all wavelengths does not fit into
+/// Rings at the requested axis distances, and inserted ones. If light at all wavelengths does not fit into
 /// memory, a few wavelengths decide where rings are inserted.
 std::vector<Ring> rings_of(std::span<const Atmosphere> airs, const Arrangement& arrangement,
                            std::span<const double> wavelengths_nm,
@@ -295,7 +295,7 @@ std::vector<RefractedLight> by_quadrature_in(std::span<const Atmosphere> airs,
   if (first.top_m() <= 0 || wavelengths_nm.empty() || axis_distances_m.empty())
     return {airs.size(), darkness(arrangement, wavelengths_nm, axis_distances_m, sectors)};
   std::vector<RefractedLight> all(airs.size());
-  // isolated: an error elsewhere cancels an enclosing parallel loop, which would silently skip iterations here
+  // isolated, because an error elsewhere cancels an enclosing parallel loop and would silently skip iterations here
   tbb::task_group_context alone(tbb::task_group_context::isolated);
   tbb::parallel_for(
       0, 1,

@@ -18,29 +18,29 @@ struct QuadratureSettings {
   /// number of rays between the ground and the air's top, 2 to 1e7; bins of landing distance are 4 km wide at
   /// 300 rays, and narrower in proportion with more
   int rays = 300;
-  int sun_terms = 6;  ///< of a limb-darkened disc (photons::disc_terms), 1 to 6
-  /// sectors to compute, 4 to 360 around; the others stay dark. Where the air has one column, all are computed
+  int sun_terms = 6;  ///< number of terms for a limb-darkened disc (photons::disc_terms), 1 to 6
+  /// sectors to compute, of 4 to 360 around; the others stay dark. If the air has one column, all are computed
   Sectors sectors{sectors_around};
-  /// highest harmonic of the position angle, 2 to 160; fewer are taken where the air or the rays need fewer
+  /// highest harmonic of the position angle, 2 to 160; fewer are used if the air or the rays need fewer
   int harmonics = 160;
-  /// tolerance of interpolation between axis distances: where a cubic through four of them errs by more, another
-  /// is inserted between the middle two. Relative to refracted and direct light over all wavelengths, direct
-  /// light counting as dark_ratio at least; 0: none is inserted
+  /// tolerance for interpolation between axis distances: where a cubic through four of them errs by more, another
+  /// is inserted between the middle two. Relative to refracted plus direct light over all wavelengths, with direct
+  /// light taken as at least dark_ratio. If 0, no axis distances are inserted
   double place_error = 0;
   /// ratio to unshaded sunlight, 1e-14 or more, below which light counts as dark: no axis distances are
-  /// inserted for its sake
+  /// inserted to resolve such light
   double dark_ratio = darkness_ratio;
 };
 
-/// Refracted light by quadrature, free of noise.
+/// Computes refracted light by quadrature, which is free of noise.
 ///
 ///     E(γ, θ)/E₀ = (1 + z/D)² / (π a²) ∫∫ T(b) b Φ db
 ///
 /// with b the impact parameter, T the transmittance, r(b) the signed distance from the axis at which
-/// the ray from the Sun's centre lands, a the radius of the projected solar disc and Φ the angle, as
-/// seen from the axis, of the arc of radius |r| inside the disc about the place: every element of
+/// the ray from the Sun's centre lands, a the radius of the projected solar disc and Φ the angle that the
+/// arc of radius |r| inside the disc about the place subtends at the axis. Every element of
 /// the limb sends its light along a line through the axis, to its own side (r > 0) or across (r < 0).
-/// The focus on the axis and caustics are integrable. T b db is summed over bins of r, with its first
+/// The focus on the axis and the caustics are integrable. T b db is summed over bins of r, with its first
 /// and second moments (LandedLight). Φ is approximated over stretches of bins by a quadratic in r; stretches
 /// narrow towards the disc's edges, where the mean of Φ follows from the area common to the disc and circles,
 /// dA/dr = |r| Φ. A place needs some forty stretches, however many bins there are. A limb-darkened disc is
@@ -51,21 +51,21 @@ struct QuadratureSettings {
 ///
 ///     w(ψ) = Σ c_m cos mψ + s_m sin mψ        E = Σ (c_m cos mθ + s_m sin mθ) E_m
 ///
-/// with cos mψ in the integral for E_m, ψ counted from the position angle θ of the place: the arcs of one axis
-/// distance serve all θ. Farther from the axis than the projected Sun's radius, only parts of the limb that
-/// the disc covers contribute. An ellipsoid needs m = 0 and 2; belts need m up to 24 with 300 rays and 37 with 600,
-/// regions up to 75 and 150, and fewer near the axis.
+/// with cos mψ in the integral for E_m and ψ counted from the position angle θ of the place, so that the arcs for
+/// one axis distance serve all θ. Farther from the axis than the projected Sun's radius, only parts of the limb that
+/// the disc covers contribute. An ellipsoid needs m = 0 and 2. Belts need m up to 24 with 300 rays and 37 with 600;
+/// regions need m up to 75 and 150. Near the axis fewer harmonics suffice.
 ///
 /// Given     wavelengths_nm    380 to 780
 ///           axis_distances_m  increasing, 0 or more
-/// Returned  light at these axis distances and at inserted ones; one sector for symmetric air, else as many
-///           as asked for
+/// Returned  light at these axis distances and at inserted ones; one sector for symmetric air, otherwise as many
+///           as requested
 /// Accuracy  against 8000 rays, up to 4500 km from the axis, at the worst wavelength and at 550 nm:
 ///           300 rays 1.3e-3 and 3e-4, 1000 rays 1.5e-4 and 8e-5; farther out, 1e-5 of unshaded
-///           sunlight. Harmonics left out: 4e-4 with belts; with regions 1e-4 in the mean, and
+///           sunlight. Omitted harmonics: 4e-4 with belts; with regions 1e-4 on average, and
 ///           2e-2 where a region is dim beside its neighbour
-/// Omits     bending along the ellipsoid's vertical instead of towards the axis: it displaces light by 21 km
-///           at most, and the Sun's disc blurs it over 3600 km
+/// Omits     bending along the ellipsoid's vertical instead of towards the axis: this displaces light by 21 km
+///           at most, and the Sun's disc blurs light over 3600 km
 /// Throws    Error           when an argument is outside its range
 RefractedLight by_quadrature(const atmosphere::Atmosphere& atmosphere,
                              const Arrangement& arrangement, std::span<const double> wavelengths_nm,
@@ -73,10 +73,10 @@ RefractedLight by_quadrature(const atmosphere::Atmosphere& atmosphere,
                              const QuadratureSettings& settings = {},
                              const algebra::Progress& progress = {});
 
-/// Refracted light in several atmospheres at once, faster than one by one: rays and arcs are computed once for
-/// all of them.
+/// Computes refracted light in several atmospheres at once. This is faster than one by one, as rays and arcs are
+/// computed once for all of them.
 ///
-/// Given     airs   one or more, which differ only in amounts of dust, ozone and cloud cover
+/// Given     airs   one or more, which may differ only in their dust, ozone and cloud cover
 /// Returned  light in each atmosphere, all at the same axis distances
 /// Throws    Error  when airs differ in anything else (atmosphere::richest), and as by_quadrature
 std::vector<RefractedLight> by_quadrature_in(std::span<const atmosphere::Atmosphere> airs,

@@ -17,14 +17,14 @@ using algebra::Grid;
 using std::numbers::pi;
 
 constexpr int nodes_an_edge = 4;
-const double gauss_node = std::sqrt(0.6);  // of three: −this, 0, this
+const double gauss_node = std::sqrt(0.6);  // the three nodes are −gauss_node, 0 and gauss_node
 
 /// Node of an integral over half an arc: sin t, t from 0 to π/2, and its weight times cos t.
 struct ArcNode {
   double sine, weight;
 };
 
-/// Gauss nodes over half an arc, `count` in each of so many equal parts.
+/// Gauss nodes over half an arc, `count` in each of several equal parts.
 std::vector<ArcNode> nodes_in_parts(int count, int parts) {
   std::vector<ArcNode> all;
   const double reach = pi / 4 / parts;
@@ -64,13 +64,13 @@ const std::vector<ArcNode>& arc_nodes(int highest, double half_arc_rad) {
   return finer[std::min(i, finer.size() - 1)];
 }
 
-/// Width of the widest stretches [bins]: the highest harmonic turns by a fraction of a circle over one.
+/// Width of the widest stretches [bins], over which the highest harmonic turns by a fraction of a circle.
 int widest(double a, int highest) {
   if (highest <= 2) return 48;
   return static_cast<int>(std::clamp(3 * a / highest, 1., 24.));
 }
 
-/// Adds ends of stretches between two bins, closer together towards both.
+/// Adds ends of stretches between two bins, closer together towards both bins.
 void add_graded(int from, int to, int widest, std::vector<int>& ends) {
   std::vector<int> upper;
   for (int width = 1; from < to; width = std::min(2 * width, widest)) {

@@ -10,25 +10,25 @@
 
 namespace coppermoon::shadow {
 
-/// Interval of distances from the axis, in whole bins, over which the integral along an arc within the projected
-/// Sun's disc is a quadratic in the distance, given by its values at three Gauss nodes.
+/// Interval of distances from the axis, in whole bins. Over it, the integral along an arc within the projected Sun's
+/// disc is approximated by a quadratic in the distance, given by its values at three Gauss nodes.
 struct Stretch {
   int from, to;
-  /// [node, lowest distance first](term of the disc, harmonic m) ∫ f(μ) cos mψ dψ over the arc [rad], ψ counted
-  /// from the place's position angle
+  /// [node, lowest distance first](term of the disc, harmonic m) ∫ f(μ) cos mψ dψ along the arc [rad], with ψ
+  /// counted from the place's position angle
   std::array<algebra::Grid<double>, 3> light;
 };
 
 /// Coefficients of r⁰, r¹, r² of the quadratic through values at the three Gauss nodes of an interval.
 std::array<double, 3> square_through(double from, double to, const std::array<double, 3>& values);
 
-/// Arcs about the axis within the Sun's disc that is projected about a place, as stretches of axis distance.
-/// Stretches narrow towards the disc's edges, where an arc's length goes as the root of the distance from
+/// Divides the arcs about the axis, within the Sun's disc projected about a place, into stretches of axis distance.
+/// Stretches narrow towards the disc's edges, where an arc's length varies as the root of the distance from
 /// the edge; at the edges they are one bin wide and hold the mean over the bin.
 ///
 /// Given     gamma    axis distance of the place, in bins
 ///           a        radius of the disc, in bins
-///           highest  harmonic
+///           highest  highest harmonic to integrate
 ///           from, to  axis distances, in bins, between which stretches are wanted
 std::vector<Stretch> disc_stretches(const photons::DiscTerms& sun, double gamma, double a,
                                     int highest, int from, int to);

@@ -15,27 +15,28 @@ namespace coppermoon::shadow {
 /// Distances of the Sun and of the shadow planes from the Earth's centre, along the shadow axis.
 struct Arrangement {
   double sun_distance_m;         ///< 0.3 to 3 au
-  std::vector<double> depths_m;  ///< planes behind the Earth, increasing, 1e8 to 1e9 m
-  bool limb_darkening = false;   ///< of the Sun, by wavelength; off: a uniform disc
+  std::vector<double> depths_m;  ///< of the planes behind the Earth, increasing, 1e8 to 1e9 m
+  bool limb_darkening = false;   ///< whether the Sun darkens towards its limb; off: a uniform disc
 };
 
 /// Throws Error when a distance is outside its range
 void require_valid(const Arrangement& arrangement);
 
-/// Light refracted by the Earth's air, over unshaded sunlight at the same distance from the Sun, by place in the
-/// shadow and wavelength.
+/// Light refracted by the Earth's air, as a ratio to unshaded sunlight at the same distance from the Sun, for each
+/// place in the shadow and each wavelength.
 struct RefractedLight {
   Arrangement arrangement;
   std::vector<double> wavelengths_nm;
   std::vector<double> axis_distances_m;  ///< increasing
-  /// equal parts of the position angle about the axis; 1: light is symmetric about the axis
+  /// number of equal sectors of position angle about the axis; 1 if light is symmetric about the axis
   std::size_t sectors = 1;
   /// [plane × sectors + sector](axis distance, wavelength); sector s is centred at the position angle
   /// 2π s / sectors. For a mean over sectors see mean_ratio
   std::vector<algebra::Grid<double>> ratio;
-  std::vector<algebra::Grid<double>> standard_error;  ///< [as ratio]; empty: light has no noise
-  std::uint64_t photons = 0;                          ///< number of photons traced
-  /// whether errors of a place's wavelengths are correlated, as they share their photons
+  std::vector<algebra::Grid<double>>
+      standard_error;         ///< indexed like ratio; empty if light has no noise
+  std::uint64_t photons = 0;  ///< number of photons traced
+  /// whether the errors at a place are correlated between wavelengths because these share photons
   bool errors_correlated = false;
 };
 
@@ -45,12 +46,12 @@ RefractedLight darkness(const Arrangement& arrangement, std::span<const double> 
 
 /// Mean of the ratio over all position angles on one plane.
 ///
-/// Given     light  computed in all sectors (QuadratureSettings::sectors leaves others dark)
+/// Given     light  computed in all sectors (QuadratureSettings::sectors may leave some dark)
 /// Returned  (axis distance, wavelength)
 algebra::Grid<double> mean_ratio(const RefractedLight& light, std::size_t plane = 0);
 
-/// Standard error of a weighted sum over wavelengths, from the wavelengths' standard errors; an upper bound where
-/// these are correlated.
+/// Standard error of a weighted sum over wavelengths, from the standard error at each wavelength. If the errors are
+/// correlated, it is an upper bound.
 double combined_error(const RefractedLight& light, std::span<const double> errors,
                       std::span<const double> weights);
 
@@ -61,7 +62,7 @@ std::vector<atmosphere::Optics> optics_of(const atmosphere::Atmosphere& atmosphe
 /// Radius of the projected solar disc: the Sun's image on a plane through a pinhole at the limb [m].
 double projected_solar_radius_m(const Arrangement& arrangement, double depth_m);
 
-/// Signed distance from the axis where a ray from the Sun's centre lands after passing the limb.
+/// Signed distance from the axis at which a ray from the Sun's centre lands after passing the limb.
 ///
 ///     r = b / cos ε + z tan ε       ε = asin(b/D) − δ
 ///
@@ -79,42 +80,42 @@ double refracted_reach_m(const Arrangement& arrangement, const atmosphere::Atmos
 /// Area common to two circles of radii r and s.
 double lens_area(double apart, double r, double s);
 
-/// Fraction of the Sun's uniform disc that the Earth and its air cover, seen from the shadow: area common to
-/// the projected solar disc and the shadow of the air's top.
+/// Fraction of the Sun's uniform disc that the Earth and its air cover, as seen from the shadow: the area common to
+/// the projected solar disc and the shadow of the top of the air, relative to that disc.
 ///
-/// Given     opaque_radius_m  of the Earth with its air
+/// Given     opaque_radius_m  radius of the Earth with its air
 /// Returned  0 in full sunlight, 1 in the umbra
 /// Accuracy  1e-5: the planes of Sun, limb and shadow are taken as parallel
 double covered_part(double axis_distance_m, double depth_m, double sun_distance_m,
                     double opaque_radius_m);
 
-/// Direct light: sunlight that passes clear of the Earth and its air, over unshaded sunlight, by wavelength.
-/// Closed form for a uniform disc; a limb-darkened disc is a sum of uniform ones.
+/// Direct light: sunlight that passes clear of the Earth and its air, as a ratio to unshaded sunlight, by wavelength.
+/// A uniform disc has a closed form; a limb-darkened disc is a sum of uniform ones.
 ///
-/// Accuracy  1e-3 of unshaded sunlight: an ellipsoid's limb is taken as a circle whose radius is the limb's at
-///           the place's position angle
+/// Accuracy  1e-3 of unshaded sunlight: an ellipsoid's limb is taken as a circle with the limb's radius at the
+///           position angle of the place
 class DirectLight {
  public:
   DirectLight(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
               std::span<const double> wavelengths_nm);
 
-  /// Writes the ratio at each wavelength, 0 in the umbra to 1 in full sunlight.
+  /// Writes the ratio at each wavelength, from 0 in the umbra to 1 in full sunlight.
   void ratios(double axis_distance_m, double position_angle_rad, double depth_m,
               std::span<double> values) const;
 
-  /// Writes the uncovered area of each layer (concentric uniform disc) of the Sun, the whole disc first, over
-  /// the area of the unit disc; as many values as in_layers has columns.
+  /// Writes the uncovered area of each layer (concentric uniform disc) of the Sun, the whole disc first, in units of
+  /// the area of the unit disc. There are as many values as in_layers has columns.
   void clear_parts(double axis_distance_m, double position_angle_rad, double depth_m,
                    std::span<double> parts) const;
 
-  /// Weights of layers that are equivalent to weights of wavelengths: Σ weight × clear part over layers equals
+  /// Converts weights of wavelengths into equivalent weights of layers: Σ weight × clear part over layers equals
   /// Σ weight × ratio over wavelengths.
   ///
   /// Given     weights  (channel, wavelength)
   /// Returned  (channel, layer)
   algebra::Grid<double> in_layers(const algebra::Grid<double>& weights) const;
 
-  /// Axis distance beyond which all sunlight is clear [m].
+  /// Axis distance beyond which the whole Sun is visible [m].
   double penumbra_m(double depth_m) const;
 
  private:

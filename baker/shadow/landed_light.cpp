@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t row_size = moments * lanes;
 
-/// Largest |k| at which ∫ exp(k t) dt is expanded in powers of k, up to the fifth: accurate to 1e-7.
+/// Largest |k| for which ∫ exp(k t) dt is expanded in powers of k, up to the fifth, with an accuracy of 1e-7.
 constexpr double small = 0.3;
 
 /// Integral ∫ exp(k t) dt from 0 to `part`, k small.
@@ -27,7 +27,7 @@ double exponential_mean(double first, double last, double k) {
   return std::abs(k) > small ? (last - first) / k : first * exponential_integral(k, 1);
 }
 
-/// Share of ∫ exp(k t) dt from 0 to 1 that lies below some t.
+/// Share of the integral ∫ exp(k t) dt from 0 to 1 that lies below a given t.
 class ExponentialShare {
  public:
   explicit ExponentialShare(double k)
@@ -41,7 +41,7 @@ class ExponentialShare {
     return std::exp(k_ * (part - 1)) * std::expm1(-k_ * part) * over_whole_;
   }
 
-  /// Factor by which exp(k t) changes where t grows by some amount.
+  /// Factor by which exp(k t) changes when t grows by a given amount.
   double change(double by) const {
     return is_small_ ? 1 + k_ * exponential_integral(k_, by) : std::exp(k_ * by);
   }
@@ -52,8 +52,8 @@ class ExponentialShare {
   double over_whole_;
 };
 
-/// Rays at one wavelength: landing place in bins, and the light they carry. From the ground up to two rays beyond
-/// the last that lands within reach, which bound the light that lands between rays.
+/// Rays at one wavelength: where they land, in bins, and the light they carry. They run from the ground up to two rays
+/// beyond the last that lands within reach; these two bound the light that lands between rays.
 struct Rays {
   std::vector<double> place, impact_m, depth, transmittance;
 
@@ -75,7 +75,7 @@ struct Rays {
   }
 };
 
-/// Gathering of light at one wavelength into its lane of a block's sums.
+/// Gathers light at one wavelength into its lane of a block's sums.
 class Gatherer {
  public:
   /// Given  first, last  bins to gather: light lands in no earlier bin, and later bins are left out
@@ -104,8 +104,8 @@ class Gatherer {
       spread(rays.place[j], rays.place[i], light, -k);
   }
 
-  /// Adds light that lands between two places, with a density that varies exponentially from one to the other. From
-  /// one whole bin to the next it changes by the same factor; from the brighter end on, lest it begin with 0.
+  /// Adds light that lands between two places, with a density that varies exponentially from one to the other. It
+  /// changes by the same factor from one whole bin to the next, starting at the brighter end so as not to start at 0.
   void spread(double from, double to, double light, double steepness) const {
     const auto bin = static_cast<int>(std::floor(from));
     if (to <= bin + 1) return put(bin, (from + to) / 2, to - from, light);
@@ -139,8 +139,8 @@ class Gatherer {
   int first_, last_;
 };
 
-/// Landing places of rays from the lowest one that carries light upwards: cloud stops all rays below its top.
-/// Only the highest ray's where no ray carries light.
+/// Landing places of the rays from the lowest one that carries light upwards, as cloud stops all rays below its top.
+/// If no ray carries light, only the highest ray's place.
 std::span<const double> lit(std::span<const double> places, std::span<const double> filter) {
   const auto lowest = std::ranges::find_if(filter, [](double share) { return share != 0; });
   return places.subspan(

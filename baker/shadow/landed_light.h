@@ -17,19 +17,19 @@ inline constexpr std::size_t moments = 3;
 /// Number of wavelengths in a block, whose sums stand side by side.
 inline constexpr std::size_t lanes = 8;
 
-/// Plane that light lands on.
+/// Plane on which light lands.
 struct LandingPlane {
   double sun_distance_m, depth_m;
-  double bin_m;    ///< width of the bins of axis distance that light is gathered in
+  double bin_m;    ///< width of the bins of axis distance in which light is gathered
   double reach_m;  ///< axis distance beyond which light on the limb's own side is left out
 
-  /// End of the bins that are needed (one past the last), for light that lands up to `farthest` bins from the axis.
+  /// One past the last bin that is needed for light that lands up to `farthest` bins from the axis.
   int end_of(double farthest) const;
 };
 
-/// Cumulative moments of landed light, ∫ r^m T b db, at evenly spaced nodes of r: r the signed axis distance on one
-/// plane, in bins; the integral covers rays of one part of the limb that land at less than the node. Holds a block
-/// of wavelengths.
+/// Cumulative moments of landed light, ∫ r^m T b db, at evenly spaced nodes of r, the signed axis distance on one
+/// plane, in bins. The integral covers those rays of one part of the limb that land at a smaller r than the node.
+/// One object holds a block of wavelengths.
 ///
 /// Between two rays r is interpolated linearly and T exponentially, once between neighbours and once between
 /// every other ray; 4/3 of the first less 1/3 of the second leaves errors of fourth order in the rays'
@@ -37,7 +37,7 @@ struct LandingPlane {
 class LandedLight {
  public:
   /// Given  fans      one for each of the block's wavelengths, at most `lanes`
-  ///        radius_m  of the limb's ground
+  ///        radius_m  of the ground at the limb
   LandedLight(std::span<const photons::Fan> fans, const LandingPlane& plane, double radius_m);
 
   /// First and last node: no light lands before the first; light after the last is left out.

@@ -20,13 +20,13 @@ using std::numbers::pi;
 /// Number of position angles at which shares of the limb's parts are tabulated.
 constexpr int looked_at = 1440;
 
-/// Number of harmonics that light needs at an axis distance, in radii of the projected Sun; fewer near the
-/// axis, where a place receives light from more of the limb.
+/// Number of harmonics that light needs at an axis distance given in radii of the projected Sun. Fewer are needed near
+/// the axis, where a place receives light from more of the limb.
 std::size_t harmonics_at(double solar_radii) {
   return static_cast<std::size_t>(9 + 48 * solar_radii);
 }
 
-/// Adds the two end nodes of a stretch, sharing the first with the previous stretch where that ends there.
+/// Adds the two end nodes of a stretch, sharing the first with the previous stretch if that ends there.
 ///
 /// Returned  index of the stretch's first node
 std::size_t add_ends(int from, int to, std::vector<int>& nodes) {
@@ -109,8 +109,8 @@ LandedPlane::LandedPlane(const Sunlit& sunlit, double depth_m) : sunlit_(sunlit)
 }
 
 /// Number of blocks held in memory at once: all, if those of all planes take 1.25 gigabytes or less (half a
-/// gigabyte with many wavelengths, where a few decide on inserted places); else as many of one plane as fill half
-/// a gigabyte, for each time the disc is cut into stretches anew.
+/// gigabyte with many wavelengths, when a few decide on inserted places). Otherwise as many of one plane as fill half
+/// a gigabyte, because each group of blocks requires cutting the disc into stretches again.
 std::size_t LandedPlane::blocks_at_once() const {
   constexpr std::size_t many = 128, most_bytes = 500'000'000;
   const std::size_t most_kept = sunlit_.waves.size() > many ? 500'000'000 : 1'250'000'000;
@@ -136,14 +136,14 @@ LandedPlane::Blocks LandedPlane::landed(std::size_t first) const {
   return some;
 }
 
-/// Whether light is computed as a series of harmonics, not angle by angle. With regions the axis distance
-/// decides, so that light at an angle does not depend on the other angles asked for; with belts the estimated
-/// cost.
+/// Whether light is computed as a series of harmonics, not angle by angle. With regions, the axis distance
+/// decides, so that light at an angle does not depend on which other angles are requested; with belts, the
+/// estimated cost decides.
 bool LandedPlane::by_series(double gamma_m) const {
   const auto& around = sunlit_.around;
   if (around.harmonics() <= 3) return true;
   if (!around.is_mirrored()) return gamma_m <= a_;
-  constexpr double angles_at_once = 1. / 12;  // of the limb
+  constexpr double angles_at_once = 1. / 12;  // as a fraction of the limb
   const auto count = [](std::size_t n) { return static_cast<double>(n); };
   const double parts = count(around.parts.size()), terms = count(sunlit_.sun.functions.size()),
                harmonics = count(std::min(around.harmonics(), harmonics_at(gamma_m / a_))),
@@ -165,7 +165,7 @@ void LandedPlane::light(std::span<const Place> places, const std::function<void(
     for (std::size_t from = 0; from < places.size(); from += at_once)
       add_light(places.subspan(from, std::min(at_once, places.size() - from)), pairs_done);
     first += landed_.count;
-    if (!keeps_light()) landed_ = {};  // frees the memory before the next is made
+    if (!keeps_light()) landed_ = {};  // frees the memory before the next blocks are computed
   }
   for (const auto& place : places)
     for (double& value : place.ratio) value = std::max(value, 0.);  // rounding
@@ -184,7 +184,7 @@ void LandedPlane::add_light(std::span<const Place> places,
       drawn[p] = std::move(here);
       return;
     }
-    if (!here.nodes.empty())  // else no light lands there
+    if (!here.nodes.empty())  // if empty, no light lands there
       tbb::parallel_for(tbb::blocked_range<std::size_t>(0, groups), [&](const auto& some) {
         for (std::size_t g = some.begin(); g < some.end(); ++g)
           add_angles(here, landed_, g * angles_together, places[p].ratio);
@@ -242,7 +242,7 @@ void LandedPlane::add_angles(const Draws& draws, const Blocks& blocks, std::size
   const std::size_t all = around.parts.size(), harmonics = draws.factors.rows(),
                     count = std::min(angles_together, around.angles() - first_angle);
   const double half_arc = std::asin(std::min(1., a_ / draws.gamma_m));
-  std::vector<std::size_t> parts;  // that send light to any of the angles
+  std::vector<std::size_t> parts;  // parts that send light to any of the angles
   std::vector<std::vector<double>> turns;
   for (std::size_t p = 0; p < all; ++p) {
     std::vector<double> shares(harmonics * angles_together);
@@ -304,7 +304,7 @@ LandedPlane::Draws LandedPlane::draws(double gamma) const {
 /// Given  node  index of the stretch's inner end; its outer end is the next
 void LandedPlane::collect(const Stretch& stretch, bool across, std::size_t node, Draws& all) {
   const int low = across ? -stretch.to : stretch.from, high = across ? -stretch.from : stretch.to;
-  // quadratics that are 1 at one Gauss node and 0 at the other two
+  // quadratics that equal 1 at one Gauss node and 0 at the other two
   std::array<std::array<double, moments>, 3> squares;
   for (std::size_t n = 0; n < 3; ++n) {
     std::array<double, 3> one{};

@@ -16,13 +16,13 @@
 
 namespace coppermoon::shadow {
 
-/// Fourier series of the limb's parts around the axis, and the position angles where light is wanted.
+/// Fourier series of the limb's parts around the axis, and the position angles at which light is wanted.
 class Around {
  public:
   std::vector<photons::WholeLimb::Series> parts;
   algebra::Grid<double> turns;  ///< cos mθ at (angle, 2 m), sin mθ at (angle, 2 m + 1)
 
-  /// Given  highest  harmonic to which the parts' shares are expanded
+  /// Given  highest  highest harmonic in the expansion of the parts' shares
   Around(const photons::WholeLimb& limb, int highest, std::span<const double> angles_rad);
 
   /// Cosine or sine term of one harmonic, with its weight in each part; at least one is not 0.
@@ -40,55 +40,55 @@ class Around {
   /// Whether the limb's western half mirrors its eastern half.
   bool is_mirrored() const;
 
-  /// Whether a part of the limb reaches within half_arc_rad of one of the angles, or of the opposite
-  /// direction.
+  /// Whether a part of the limb reaches within half_arc_rad of one of the angles, or of the direction
+  /// opposite to the angle.
   bool is_near(std::size_t part, std::size_t angle, double half_arc_rad) const;
 
  private:
   std::vector<double> angles_rad_;
   std::vector<Harmonic> harmonics_;  // in order
-  // (part, direction) number of directions up to it where the part has a share
+  // (part, direction): number of directions, up to this one, in which the part has a share
   algebra::Grid<int> here_;
 };
 
-/// Wavelength in one of the atmospheres.
+/// A wavelength in one of the atmospheres.
 struct Wave {
   atmosphere::Optics optics;
-  const atmosphere::Atmosphere* air;  ///< as in WholeLimb::fan
+  const atmosphere::Atmosphere* air;  ///< as for WholeLimb::fan
 };
 
-/// Light of the whole limb on one plane.
+/// Light from the whole limb on one plane.
 ///
-/// Off the axis light is computed angle by angle, from the parts of the limb within the projected Sun's disc about
-/// the place, as no other part sends light there. Near the axis, where the disc covers all parts, in symmetric air
+/// Off the axis, light is computed angle by angle from the parts of the limb within the projected Sun's disc about
+/// the place, as no other part sends light there. Near the axis (where the disc covers all parts), in symmetric air,
 /// and for belts at many angles, light is computed as a Fourier series in the position angle.
 class LandedPlane {
  public:
-  /// Axis distance where light is wanted, and its output.
+  /// Axis distance at which light is wanted, and where to write it.
   struct Place {
     double gamma_m;           ///< axis distance
     std::span<double> ratio;  ///< [angle][wavelength]
   };
 
-  /// Inputs that all planes share; they outlive the planes.
+  /// Inputs that all planes share; they must outlive the planes.
   struct Sunlit {
     const photons::WholeLimb& limb;  ///< fans are made on demand
     const Around& around;
     const photons::DiscTerms& sun;
     std::span<const Wave> waves;
     const Arrangement& arrangement;
-    double bin_m;       ///< width of the bins of axis distance that light is gathered in
+    double bin_m;       ///< width of the bins of axis distance in which light is gathered
     double farthest_m;  ///< largest axis distance of all places
   };
 
   LandedPlane(const Sunlit& sunlit, double depth_m);
 
-  /// Whether the limb's light at all wavelengths fits into memory; else every call of `light` makes it anew.
+  /// Whether the limb's light at all wavelengths fits into memory. If not, every call of `light` computes it again.
   bool keeps_light() const { return blocks_at_once() == blocks(); }
 
   /// Adds light to each place's `ratio`.
   ///
-  /// Given  done  callback for progress: gets the fraction of places completed since its last call
+  /// Given  done  progress callback, called with the fraction of places completed since its last call
   void light(std::span<const Place> places, const std::function<void(double)>& done);
 
  private:
@@ -124,8 +124,8 @@ class LandedPlane {
   Sunlit sunlit_;
   LandingPlane plane_;
   double a_, factor_;
-  int first_ = std::numeric_limits<int>::max(), last_ = -first_;  // bins that light lands in
-  Blocks landed_;                                                 // all blocks where keeps_light()
+  int first_ = std::numeric_limits<int>::max(), last_ = -first_;  // bins in which light lands
+  Blocks landed_;                                                 // all blocks, if keeps_light()
 };
 
 }  // namespace coppermoon::shadow

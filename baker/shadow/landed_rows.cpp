@@ -23,7 +23,7 @@ inline const double* row_at(const LandedLight& part, int node) {
   return part.sums() + static_cast<std::size_t>(place) * moments * lanes;
 }
 
-/// Adds one node's rows to so many harmonics at once.
+/// Adds one node's rows to `together` harmonics at once.
 template <std::size_t together>
 void add_node(std::span<const double* const> rows, const HarmonicRows* harmonics,
               std::size_t factor, std::size_t terms) {
@@ -71,7 +71,7 @@ void add_weighted(std::span<const LandedLight> parts, std::span<const int> nodes
   }
 }
 
-/// Turns so many columns, from `column` on, to all angles.
+/// Turns `columns` columns, from `column` on, to all angles.
 template <std::size_t columns>
 void turn_columns(const algebra::Grid<double>& factors, std::size_t column, const double* turns,
                   double* turned) {

@@ -13,18 +13,18 @@ namespace coppermoon::shadow {
 struct HarmonicRows {
   const double* weights;  ///< [part]
   const double* factors;  ///< [node][term][moment]
-  double* sums;           ///< [term][lane], that are added to
+  double* sums;           ///< [term][lane], increased by the light
 };
 
 /// Adds, for each harmonic, sums[term][lane] += Σ factors[i][term][moment] Σ weights[part] row of
-/// part[nodes[i]][moment][lane], with the machine's widest vectors. Nodes before a part's first and after its last
-/// count as these.
+/// part[nodes[i]][moment][lane], with the machine's widest vectors. A node before a part's first counts as the first,
+/// and one after its last as the last.
 ///
-/// Given  parts  light of each part of the limb
+/// Given  parts  light from each part of the limb
 void add_landed_rows(std::span<const LandedLight> parts, std::span<const int> nodes,
                      std::size_t terms, std::span<const HarmonicRows> harmonics);
 
-/// Number of position angles that stand side by side.
+/// Number of position angles that are stored side by side.
 inline constexpr std::size_t angles_together = 8;
 
 /// Writes turned[i][column][angle] = Σ factors(harmonic, column) turns[i][harmonic][angle], vectorised.
@@ -35,10 +35,10 @@ void turn_factors(const algebra::Grid<double>& factors,
 void add_turned_rows(const LandedLight& part, std::span<const int> nodes, const double* factors,
                      std::size_t terms, double* sums);
 
-/// Number of nodes in a group; the last group is filled up with nodes of weight 0.
+/// Number of nodes in a group; the last group is padded with nodes of weight 0.
 inline constexpr std::size_t nodes_together = 4;
 
-/// Replaces angles [rad] by their cosines, vectorised; their number is a multiple of nodes_together.
+/// Replaces angles [rad] by their cosines, vectorised. The number of angles is a multiple of nodes_together.
 void turn_into_cosines(std::span<double> angles);
 
 /// Adds harmonics(k, m) += Σ weights(k, j) cos mψ_j over nodes j, by recurrence, vectorised.

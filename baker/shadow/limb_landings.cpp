@@ -20,17 +20,17 @@ using std::numbers::pi;
 
 constexpr std::size_t brightness_cells = 64;
 
-/// Number of bins of axis distance, each with its own distribution of tangent heights.
+/// Number of bins in axis distance, each with its own distribution of tangent heights.
 constexpr std::size_t distance_bins = 96;
 
 /// Largest number of wavelengths from which the distribution of tangent heights is made.
 constexpr std::size_t deciding_waves = 8;
 
-/// Fraction of photons whose height is not importance-sampled; and the fraction of these that is
+/// Fraction of photons whose height is not importance-sampled, and the fraction of these photons that is
 /// spread evenly over heights, not over landings.
 constexpr double blind_share = 0.2, even_share = 0.25;
 
-/// Half of the arc about the axis, at an axis distance, that lies in a disc of radius 1 about a centre.
+/// Half the arc about the axis, at an axis distance, that lies within a disc of radius 1 about a centre.
 double half_arc(double centre, double distance) {
   const double q = std::abs(centre);
   if (q + distance <= 1) return pi;
@@ -65,7 +65,7 @@ void normalise(std::span<double> row) {
     for (double& value : row) value /= sum;
 }
 
-/// Adds the importance of each cell: root mean square, over wavelengths, of its share in all light that lands.
+/// Adds the importance of each cell: the root mean square, over wavelengths, of its share of all light that lands.
 ///
 /// Given  light  (wavelength, cell)
 void add_seeing(const Grid<double>& light, std::span<const double> arcs,

@@ -14,61 +14,61 @@
 
 namespace coppermoon::shadow {
 
-/// Photon of all wavelengths before it passes the limb: its part of the limb, tangent height and source on the
-/// Sun.
+/// A photon that carries all wavelengths, before it passes the limb: its part of the limb, tangent height and source
+/// on the Sun.
 struct Aim {
   std::size_t part, cell;  ///< part of the limb, and interval between two of the part's rays
   double along;            ///< place in the cell: 0 at the lower ray, 1 at the upper
   double tangent_height_m;
-  glm::dvec2 toward;  ///< from the axis to the limb, unit
+  glm::dvec2 toward;  ///< unit vector from the axis to the limb
   glm::dvec2 source;  ///< on the Sun's disc, in solar radii
-  /// probability density of the source on a uniform disc, over the joint density [m⁻¹] of height and source that
-  /// the photon was drawn with
+  /// probability density of the source on a uniform disc, divided by the joint density [m⁻¹] of height and source
+  /// with which the photon was drawn
   double weight_m;
 };
 
-/// Tables of landing place and light by tangent height and wavelength, on each plane, and drawing of photons from
-/// them. Of N photons each carries, in units of 1/N,
+/// Tables of landing place and light by tangent height and wavelength, on each plane, from which photons are drawn.
+/// Each of N photons carries, in units of 1/N,
 ///
 ///     2π T b (db/dh) / p(h)
 ///
-/// square metres of unshaded sunlight: T the transmittance, b the impact parameter, p the probability density
-/// of tangent heights. Between rays T b varies exponentially in the limb's table, and linearly here, with
+/// square metres of unshaded sunlight, with T the transmittance, b the impact parameter and p the probability density
+/// of tangent heights. Between rays T b varies exponentially in the limb's table, but linearly here, with
 /// the same integral.
 ///
-/// Landings of the middle wavelength are drawn. Axis distances are uniform, so that rings near the axis get as
+/// Landings are drawn for the middle wavelength. Axis distances are uniform, so that rings near the axis get as
 /// many photons as others. Tangent heights follow the light that each height sends to the axis distance, over all
 /// wavelengths; for a fifth of the photons they are uniform in landing distance or in height instead. Directions
-/// are uniform over those that come from the Sun's disc. The source on the Sun follows from the landing.
+/// are uniform over those in which the Sun's disc lies. The source on the Sun follows from the landing.
 class LimbLandings {
  public:
   LimbLandings(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
                std::span<const double> wavelengths_nm, int rays);
 
-  /// Photons of a block (algebra::scrambled_block), ordered by part of the limb and by cell, lowest first;
-  /// landings that no ray from the Sun reaches are left out.
+  /// Photons of a block (algebra::scrambled_block), ordered by part of the limb and then by cell, lowest first.
+  /// Landings that no ray from the Sun reaches are left out.
   ///
-  /// Given  around  whether to draw position angles; else every photon is at 0
+  /// Given  around  whether to draw position angles; if not, every photon is at 0
   std::vector<Aim> aims(std::uint64_t seed, std::uint64_t block, bool around) const;
 
-  /// Writes the light that photons carry behind the limb, by wavelength [m²], including the Sun's brightness
+  /// Writes the light that photons carry once past the limb, by wavelength [m²], including the Sun's brightness
   /// at their source.
   ///
   /// Given  light  at least as many rows as aims
   void pass(std::span<const Aim> aims, algebra::Grid<float>& light) const;
 
-  /// Writes signed axis distances of landing, by wavelength, as if photons came from the Sun's centre.
+  /// Writes the signed axis distances at which photons would land if they came from the Sun's centre, by wavelength.
   void land(std::span<const Aim> aims, std::size_t plane, algebra::Grid<float>& landing_m) const;
 
  private:
   /// Tables of one part of the limb.
   struct Table {
     std::vector<double> heights_m;       ///< by ray
-    std::vector<double> middle_landing;  ///< of the middle wavelength, in projected solar radii
+    std::vector<double> middle_landing;  ///< at the middle wavelength, in projected solar radii
     algebra::Grid<float> light;          ///< (2 cell + end, wavelength), end 0: lower ray, 1: upper
     std::vector<algebra::Grid<float>> landing_m;  ///< [plane](ray, wavelength)
-    /// (bin of axis distance, ray) cumulative probability that a photon passes below the ray; all 0 where no
-    /// light lands
+    /// (bin of axis distance, ray): cumulative probability that a photon passes below the ray; all 0 if no light
+    /// lands in the bin
     algebra::Grid<double> chance;
   };
 
@@ -87,7 +87,7 @@ class LimbLandings {
   std::size_t waves_;
   std::vector<Table> tables_;
   double reach_ = 0;                 ///< largest axis distance of landings [projected solar radii]
-  algebra::Grid<float> brightness_;  // (μ, wavelength); none for a uniform disc
+  algebra::Grid<float> brightness_;  // (μ, wavelength); empty for a uniform disc
 };
 
 }  // namespace coppermoon::shadow

@@ -19,7 +19,7 @@ struct Passage {
   double bending_rad = 0, optical_depth = 0, filter = 1;
 };
 
-/// Passage of a ray through one part of the limb; none where the ray meets the ground.
+/// Passage of a ray through one part of the limb; nothing if the ray meets the ground.
 std::optional<Passage> passage(const photons::Fan& fan, double impact_height_m) {
   const auto& heights = fan.impact_height_m;
   if (impact_height_m < heights.front()) return std::nullopt;

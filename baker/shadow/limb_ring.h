@@ -16,11 +16,11 @@ namespace coppermoon::shadow {
 ///     L = T(b) I(μ)        sin α = b/D
 ///
 /// A ray that arrives with impact parameter b, at an angle α from the Earth's centre, has been bent by δ(b).
-/// Traced backwards it meets the Sun's disc at the cosine μ, or misses the disc and carries no light. Along a
+/// Traced backwards, it either meets the Sun's disc at the cosine μ, or misses the disc and carries no light. Along a
 /// ray, radiance changes only by the transmittance T.
 ///
 /// Omits  light that the air scatters towards the place; bending along the ellipsoid's vertical instead of
-///        towards the Earth's centre, which differ by 0.2° at most
+///        towards the Earth's centre (the two directions differ by 0.2° at most)
 class LimbRing {
  public:
   /// Interval of impact parameters [m].
@@ -28,7 +28,7 @@ class LimbRing {
     double lowest_m, highest_m;
   };
 
-  /// Given   arrangement     its planes are not used
+  /// Given   arrangement     of Sun and Earth; its planes are not used
   ///         place           100 000 to 1 000 000 km behind the Earth
   ///         wavelengths_nm  380 to 780
   ///         rays            number of rays in the limb's table, 2 to 1e7
@@ -37,23 +37,23 @@ class LimbRing {
            const eclipse::ShadowPlace& place, std::span<const double> wavelengths_nm,
            int rays = 1000);
 
-  /// Writes radiance over the mean radiance of the Sun's disc, by wavelength.
+  /// Writes the radiance relative to the mean radiance of the Sun's disc, by wavelength.
   ///
   /// Given     position_angle_rad  about the Earth's centre, from the shadow frame's Y towards its X
   ///           impact_parameter_m  b, 0 to D
-  /// Accuracy  integrated over the ring, 0.3 % of the irradiance that by_quadrature has
+  /// Accuracy  integrated over the ring, within 0.3 % of the irradiance that by_quadrature finds
   void radiance(double position_angle_rad, double impact_parameter_m,
                 std::span<double> values) const;
 
-  /// Impact parameters of the ring: from the lowest ground of the limb up to one ray of the table above the
-  /// highest ray that comes from the Sun; empty where no ray does.
+  /// Impact parameters of the ring, from the lowest ground at the limb up to the table's next ray above the
+  /// highest one that comes from the Sun. Empty if no ray comes from the Sun.
   Extent extent() const;
 
   /// Distance D of the place from the Earth's centre [m].
   double distance_m() const;
 
  private:
-  /// Cosine μ of the point on the Sun's disc that a ray comes from; below 0 where the ray misses the disc.
+  /// Cosine μ at the point of the Sun's disc from which a ray comes; below 0 if the ray misses the disc.
   double cosine_on_sun(const glm::dvec3& outward, double impact_parameter_m,
                        double bending_rad) const;
 

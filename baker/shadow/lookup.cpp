@@ -18,8 +18,8 @@ namespace {
 
 constexpr double widest_spacing_m = 10e3;
 
-/// Largest number of parts of a cell: more where the Sun is not limb-darkened, as its limb, which appears first, is
-/// then as bright as its middle.
+/// Largest number of parts in a cell. It is larger if the Sun is not limb-darkened, as its limb, which appears first,
+/// is then as bright as its middle.
 double most_parts(const Arrangement& arrangement) { return arrangement.limb_darkening ? 10 : 40; }
 
 /// Axis distance half a spacing beyond the last place, where photons' last ring ends: refracted light is held up
@@ -66,7 +66,7 @@ struct Cubic {
   std::array<double, 4> share{};
 };
 
-/// Weights of the cubic through the two places on either side; outside, the end values hold.
+/// Weights for the cubic through the two places on either side; outside the places, the end values hold.
 ///
 /// Given  beyond_axis  number of places beyond the axis that are used, mirror images of those on this side
 Cubic cubic_at(std::span<const double> x, std::size_t beyond_axis, double at) {
@@ -109,10 +109,10 @@ double on_cubic(const Cubic& cubic, const Rows& rows, std::size_t k) {
          share[3] * rows[3][k];
 }
 
-/// Limits within which the cubic is of the logarithm: relative noise, and ln(brightest / darkest) of four places.
+/// Limits within which the logarithm is interpolated: relative noise, and ln(brightest / darkest) of four places.
 constexpr double known_to = 1. / 3, widest_range = 7;
 
-/// Whether the cubic is of the logarithm; false where a logarithm is NaN.
+/// Whether to interpolate the logarithm; false if a logarithm is NaN.
 bool in_logarithm(const Rows& logs, std::size_t k) {
   const auto [low, high] = std::minmax({logs[0][k], logs[1][k], logs[2][k], logs[3][k]});
   const double sum = logs[0][k] + logs[1][k] + logs[2][k] + logs[3][k];
@@ -123,7 +123,7 @@ std::size_t sector_of(const LookupTable& table, std::size_t row) {
   return table.sectors[row / table.nodes.count() % table.held];
 }
 
-/// Whether a row stands for the dark sectors that are not held.
+/// Whether a row of the table stands for the dark sectors that are not held.
 bool is_dark(const LookupTable& table, std::size_t row) {
   return !table.sectors.all() && row / table.nodes.count() % table.held == table.held - 1;
 }
@@ -158,7 +158,7 @@ struct Filling {
   }
 };
 
-/// Estimated error of linear interpolation between three nodes, over the brightest channel: a quarter of the
+/// Estimated error of linear interpolation between three nodes, relative to the brightest channel: a quarter of the
 /// middle node's distance from the line through the outer ones.
 double bend(const LookupTable& table, std::size_t middle) {
   double bent = 0, brightest = 0;
@@ -200,7 +200,7 @@ std::vector<double> bends(const LookupTable& table, std::span<const char> known)
   return worst;
 }
 
-/// Number of parts that a cell is cut into. The error of linear interpolation falls as the square of the spacing,
+/// Number of parts into which a cell is cut. The error of linear interpolation falls as the square of the spacing,
 /// but as its power 3/2 at the umbra's edge, as the Sun's uncovered area rises with that power there.
 double parts_for(double tolerance, double error) {
   if (error <= tolerance) return 1;

@@ -17,33 +17,33 @@ namespace coppermoon::shadow {
 /// Weights of wavelengths in each channel.
 using ChannelWeights = algebra::Grid<double>;  // (channel, wavelength)
 
-/// Part of the light in the shadow that a look-up holds.
+/// Which part of the light in the shadow a look-up holds.
 enum class LightPart {
   all,
   refracted,  ///< light that the Earth's air bends and scatters into the shadow; 0 outside the shadow
   direct,     ///< sunlight that passes clear of the Earth and its air
 };
 
-/// Axis distances and sectors in which a look-up is read, and its tolerance.
+/// Axis distances and sectors in which a look-up will be read, and its tolerance.
 struct LookupRange {
   double from_m = 0;
-  double to_m = std::numeric_limits<double>::infinity();  ///< cut at the penumbra's end
+  double to_m = std::numeric_limits<double>::infinity();  ///< limited to the penumbra's end
   double tolerance = 1e-4;                                ///< see Lookup's Accuracy; 1e-6 to 0.1
-  /// sectors to hold, including two on either side of each place that is read; others may stay dark. All are
-  /// held where the light has another number of sectors around
+  /// sectors to hold, including two on either side of each place that is read; others may stay dark. If the light
+  /// has a different number of sectors around the axis, all are held
   Sectors sectors{};
 };
 
-/// Interpolation of refracted light in axis distance, wavelength by wavelength: a cubic through four known
-/// places, cut at 0. Rings of photons have a fixed width; so for photons the cubic is of the light's logarithm
-/// where all four rings are known to a third or better and lie within a factor of a thousand, and
-/// continues across the axis into the opposite sector. Outside the known places the end values hold, beyond the
+/// Interpolates refracted light in axis distance, wavelength by wavelength, with a cubic through four known
+/// places; negative values become 0. Rings of photons have a fixed width, so for photons the logarithm of the light
+/// is interpolated if all four rings are known to a third or better and lie within a factor of a thousand. The cubic
+/// then continues across the axis into the opposite sector. Outside the known places the end values hold, beyond the
 /// last for half a spacing (its ring's outer edge); farther out light is 0.
 ///
-/// Accuracy  for light that falls by e in two spacings 2e-3; by the logarithm 1e-5
+/// Accuracy  for light that falls by a factor e in two spacings, 2e-3; with the logarithm, 1e-5
 class BetweenPlaces {
  public:
-  /// Given  light  outlives this object
+  /// Given  light  must outlive this object
   explicit BetweenPlaces(const RefractedLight& light);
 
   /// Writes the ratio at each wavelength.
@@ -55,14 +55,14 @@ class BetweenPlaces {
  private:
   const RefractedLight& light_;
   std::vector<algebra::Grid<double>>
-      logs_;                     ///< [as ratio]; NaN: too noisy; empty: light has no noise
+      logs_;  ///< indexed like ratio; NaN if too noisy; empty if light has no noise
   std::size_t beyond_axis_ = 0;  ///< number of places in the opposite sector that are read
   double from_m_, to_m_;
 };
 
 /// Look-up table of refracted and direct light by place in the shadow, in a few channels, read once per
 /// texel. Interpolation is linear in depth and axis distance and cubic in position angle; beyond the penumbra
-/// all is sunlight. Interpolation in depth follows lines from the limb (`sheared`), along which light hardly
+/// there is full sunlight. Interpolation in depth follows lines from the limb (`sheared`), along which light hardly
 /// changes.
 ///
 /// The table's nodes are denser than the places where refracted light is known (BetweenPlaces).
@@ -72,9 +72,9 @@ class Lookup {
   /// Given     light    refracted light
   ///           direct   direct light of the same arrangement
   ///           weights  (channel, wavelength)
-  ///           range    outside of it the outermost values hold, up to the penumbra's end
+  ///           range    outside it, the outermost values hold up to the penumbra's end
   /// Accuracy  linear interpolation between nodes errs by less than the tolerance times the brightest channel
-  ///           (each relative to its unshaded sunlight), unless that takes nodes closer than 1 km (250 m where the
+  ///           (each relative to its unshaded sunlight), unless that requires nodes closer than 1 km (250 m if the
   ///           Sun is not limb-darkened) or more than half a gigabyte
   /// Throws    Error    when the tolerance is outside its range
   Lookup(const RefractedLight& light, const DirectLight& direct, const ChannelWeights& weights,
@@ -83,7 +83,7 @@ class Lookup {
   /// Look-up without a shadow: full sunlight everywhere, or 0 for `LightPart::refracted`.
   explicit Lookup(const ChannelWeights& weights, LightPart part = LightPart::all);
 
-  /// Look-up of a table that another one had.
+  /// Look-up with a table taken from another one.
   explicit Lookup(LookupTable table) : table_(std::move(table)) {}
 
   const LookupTable& table() const { return table_; }
@@ -98,13 +98,13 @@ class Lookup {
     shadow::read(table_, places, values);
   }
 
-  /// Applies a function to every entry's channels, in place; for example gamut mapping.
+  /// Applies a function, such as gamut mapping, to every entry's channels in place.
   void transform(const std::function<void(std::span<double>)>& change);
 
-  /// Largest relative standard error of the first channel between two axis distances, including unresolved
-  /// structure of photons' rings; 1 where no light arrived.
+  /// Largest relative standard error of the first channel between two axis distances, including structure that
+  /// the rings of photons do not resolve; 1 where no light arrived.
   ///
-  /// Given  light, weights  from which the look-up was made; it has not been transformed since
+  /// Given  light, weights  the ones from which the look-up was made; it has not been transformed since
   double worst_relative_error(const RefractedLight& light, const ChannelWeights& weights,
                               double from_m, double to_m) const;
 

@@ -16,7 +16,7 @@ struct Places {
   std::span<const double> east_m, north_m, depth_m;
 };
 
-/// Nodes of axis distance, denser where light varies faster: cells of equal width, each cut into equal parts.
+/// Nodes of axis distance, denser where light varies faster: cells of equal width are each cut into equal parts.
 struct UnevenNodes {
   double first_m = 0, cell_m = 1;  ///< axis distance of the first node; width of a cell
   std::vector<double> first_node;  ///< [cell] index of the cell's first node
@@ -26,20 +26,20 @@ struct UnevenNodes {
   std::size_t count() const { return at_m.size(); }
 };
 
-/// Nodes of cells that are cut into given numbers of parts.
+/// Nodes for cells that are cut into the given numbers of parts.
 UnevenNodes uneven_nodes(double first_m, double cell_m, std::span<const double> parts);
 
 /// Channel values by plane, sector and node of axis distance.
 struct LookupTable {
   std::size_t channels = 0;
   std::vector<double> depths_m;  ///< of the planes, increasing
-  double middle_depth_m = 0;     ///< depth that the nodes' axis distances hold for; see `sheared`
+  double middle_depth_m = 0;     ///< depth for which the nodes' axis distances hold; see `sheared`
   std::vector<double> sunlight;  ///< [channel], padded
   Sectors sectors{};             ///< held sectors
-  /// number of held sectors; where not all are held, one more, dark, stands for all others
+  /// number of held sectors; if not all are held, includes one dark sector that stands for all others
   std::size_t held = 1;
   UnevenNodes nodes;
-  double end_m = 0;  ///< beyond this axis distance all is sunlight
+  double end_m = 0;  ///< beyond this axis distance there is full sunlight
   /// ((plane × held + sector, counted from the first held) × nodes + node, padded channel)
   algebra::Grid<float> values;
 };
@@ -51,11 +51,11 @@ inline constexpr double limb_m = 6.39e6;
 inline constexpr double one_limb_m = 1.5e6;
 
 /// Axis distance at which a straight line from the limb crosses another plane. Light in the shadow hardly changes
-/// along these lines. Near the axis, where lines from the opposite limb cross them, the shift is smaller; on the
+/// along these lines. Near the axis, where lines from the opposite limb cross them, the shift is reduced; on the
 /// axis it is 0.
 ///
 /// Given  axis_distance_m  where the line crosses the first plane
-///        deeper           depth of the other plane over depth of the first
+///        deeper           ratio of the other plane's depth to the first one's
 inline double sheared(double axis_distance_m, double deeper) {
   // FAULT the look-up's planes sheared the wrong way: (deeper - 1); => (1 - deeper);
   const double shift = (axis_distance_m - limb_m) * (deeper - 1);
@@ -66,11 +66,11 @@ inline double sheared(double axis_distance_m, double deeper) {
 /// read.
 inline constexpr std::size_t channel_padding = 4;
 
-/// Reads the table: linear between planes and nodes, cubic in position angle, cut at 0 (or at the least of the four
-/// sectors, where that is negative). Outside, the outermost planes and nodes hold; beyond `end_m` and on the Sun's
-/// side of the Earth all is sunlight.
+/// Reads the table by interpolation: linear between planes and nodes, cubic in position angle. The result is at least
+/// 0 (or the least of the four sectors, if that is negative). Outside, the outermost planes and nodes hold; beyond
+/// `end_m` and on the Sun's side of the Earth there is full sunlight.
 ///
-/// Given     table   two nodes or more; without nodes all is sunlight
+/// Given     table   with two nodes or more; if it has none, there is full sunlight everywhere
 /// Returned  values  [place × channels + channel]
 void read(const LookupTable& table, const Places& places, std::span<double> values);
 

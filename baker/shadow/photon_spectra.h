@@ -10,10 +10,10 @@
 
 namespace coppermoon::shadow {
 
-/// Length of a photon's row for so many wavelengths; values of the padding are not gathered.
+/// Length of a photon's row for this number of wavelengths; values in the padding are not gathered.
 constexpr std::size_t padded(std::size_t waves) { return padded(waves, 16); }
 
-/// Place between two consecutive rows, and a factor on their weighted mean.
+/// Place between two consecutive rows, and a factor for their weighted mean.
 struct Between {
   const float* first;
   float along;  ///< 0 at the first, 1 at the next
@@ -26,8 +26,8 @@ void interpolate(std::span<const Between> places, algebra::Grid<float>& rows);
 /// Multiplies each photon's row by the interpolated row at its place.
 void multiply(std::span<const Between> places, algebra::Grid<float>& rows);
 
-/// Cells of a plane: rings of axis distance, one more for all that lands farther out, times sectors, of which
-/// s is centred at the position angle 2π s / sectors.
+/// Cells of a plane: rings of axis distance, and one more ring for all light that lands farther out, each divided
+/// into sectors. Sector s is centred at the position angle 2π s / sectors.
 struct Rings {
   float width_m;
   std::size_t rings, sectors;
@@ -44,7 +44,7 @@ struct Tally {
   std::vector<std::uint8_t> touched;  ///< rows that are not all zero
 };
 
-/// Line on which a photon's wavelengths land: direction from the axis, and offset by the photon's source.
+/// Line on which a photon's wavelengths land: its direction from the axis, and its offset due to the photon's source.
 struct Aside {
   float toward_x, toward_y;      ///< unit vector
   float source_x_m, source_y_m;  ///< source on the Sun, projected through the limb
@@ -52,7 +52,7 @@ struct Aside {
 
 /// Adds light to the cells where it lands, at r × toward − source.
 ///
-/// Given  landing_m  r, (photon, wavelength), padded with the last wavelength's
+/// Given  landing_m  r, (photon, wavelength), padded with the last wavelength's value
 ///        light      (photon, wavelength), padded with 0
 ///        first_row  first row of the plane in the tally
 void gather(std::span<const Aside> photons, const algebra::Grid<float>& landing_m,

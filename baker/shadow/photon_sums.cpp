@@ -65,7 +65,7 @@ void add(Grids& grids, Grids& rests, const Grids& more, const Grids& more_rests)
     }
 }
 
-/// Irradiance ratio in a ring's cell per square metre of unshaded sunlight that lands in it.
+/// Irradiance ratio in a ring's cell per square metre of unshaded sunlight that lands in the cell.
 double ratio_per_m2(const PhotonSums& sums, double depth_m, std::size_t ring) {
   const double spread = 1 + depth_m / sums.arrangement.sun_distance_m;
   const double area_m2 = std::numbers::pi * sums.ring_width_m * sums.ring_width_m *
@@ -100,8 +100,8 @@ RingLight ring_light(double mean, double noise) {
   return {std::log(mean), noise / mean, true};
 }
 
-/// Number of rings beyond either end of a sector's rings, on a line through the axis: before the first, rings of the
-/// opposite sector; after the last, rings that count as not known.
+/// Number of extra rings at either end of a sector's rings, on a line through the axis: before the first, rings of the
+/// opposite sector; after the last, rings that count as unknown.
 constexpr std::size_t beyond = 2;
 
 void fill_line(const RefractedLight& means, std::size_t grid, std::size_t wave,
@@ -117,7 +117,7 @@ void fill_line(const RefractedLight& means, std::size_t grid, std::size_t wave,
   for (std::size_t r = 0; r < rings; ++r) line[beyond + r] = ring(grid, r);
 }
 
-/// Whether two rings are neighbours for the parabola: both known, their ratio within the limit.
+/// Whether two rings count as neighbours for the parabola: both are known and their ratio is within the limit.
 bool linked(const RingLight& a, const RingLight& b) {
   return a.known && b.known && std::abs(a.log_mean - b.log_mean) <= steepest;
 }
@@ -148,7 +148,7 @@ double mean_over_middle(LogShape shape, double steepening) {
 void deconvolve(std::span<const RingLight> line, std::vector<double>& logs) {
   logs.resize(line.size());
   for (std::size_t i = 0; i < line.size(); ++i) logs[i] = line[i].log_mean;
-  constexpr int passes = 4;  // each leaves a tenth of the error, a third on the steepest slope
+  constexpr int passes = 4;  // each leaves a tenth of the error, or a third on the steepest slope
   std::vector<double> next = logs;
   for (int pass = 0; pass < passes; ++pass) {
     for (std::size_t i = beyond; i + beyond < line.size(); ++i) {
@@ -162,7 +162,7 @@ void deconvolve(std::span<const RingLight> line, std::vector<double>& logs) {
   }
 }
 
-/// Square of the logarithm's fourth difference about a ring, less its expectation by noise alone; none where
+/// Square of the logarithm's fourth difference about a ring, minus its expected value from noise alone; nothing if
 /// the five rings are not all neighbours.
 std::optional<double> fourth_difference_squared(std::span<const RingLight> line, std::size_t i) {
   constexpr std::array<double, 5> weights{1, -4, 6, -4, 1};
@@ -176,8 +176,8 @@ std::optional<double> fourth_difference_squared(std::span<const RingLight> line,
   return difference * difference - variance;
 }
 
-/// Relative error by unresolved structure of the light at and near a ring's middle. Squares of the neighbouring
-/// rings' differences count half: about a kink, fourth differences change sign.
+/// Relative error due to unresolved structure of the light at and near a ring's middle. The squares of the
+/// neighbouring rings' differences count half, as fourth differences change sign about a kink.
 double unresolved(std::span<const RingLight> line, double log_light, std::size_t i) {
   const auto own = fourth_difference_squared(line, i);
   if (!own) return std::abs(std::expm1(line[i].log_mean - log_light));
@@ -188,7 +188,7 @@ double unresolved(std::span<const RingLight> line, double log_light, std::size_t
   return 3. / 32 * std::sqrt(std::max(0., sum));
 }
 
-/// Relative noise of the light at a ring's middle, rings taken as independent: ln E ≈ ln M − δ² ln M / 24.
+/// Relative noise of the light at a ring's middle, as if rings were independent: ln E ≈ ln M − δ² ln M / 24.
 double noise_at_middle(std::span<const RingLight> line, std::size_t i) {
   const auto of_next = [&](std::size_t k) {
     return linked(line[i], line[k]) ? line[k].relative_noise / 24 : 0;

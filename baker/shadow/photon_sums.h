@@ -16,24 +16,24 @@ inline constexpr std::uint64_t photons_a_block = 1024;
 /// Smallest number of blocks for an estimate of the standard error.
 inline constexpr std::uint64_t blocks_for_an_error = 8;
 
-/// Half-open range of block numbers: `from` up to, without, `to`.
+/// Half-open range of block numbers: from `from` up to but excluding `to`.
 struct BlockRange {
   std::uint64_t from = 0, to = 0;
 
   bool operator==(const BlockRange&) const = default;
 };
 
-/// Blocks for a number of photons, rounded up to whole blocks.
+/// Blocks that hold this number of photons, rounded up to whole blocks.
 BlockRange blocks_of(std::uint64_t photons);
 
-/// Part number `part` of a range that is cut into equal parts.
+/// The part numbered `part` of a range of blocks that is cut into equal parts.
 ///
 /// Given   part   1 to parts
 /// Throws  Error  when the number is outside its range
 BlockRange shard(BlockRange blocks, std::uint64_t part, std::uint64_t parts);
 
-/// Sums of the light that blocks of photons brought to each cell: partial results of one simulation, which can
-/// be traced in several runs and merged.
+/// Sums of the light that blocks of photons brought to each cell. They are partial results of one simulation, which
+/// can be traced in several runs and merged.
 struct PhotonSums {
   /// identifies the simulation: air, arrangement, seed and every other input. Only sums with equal keys merge
   std::string key;
@@ -41,12 +41,13 @@ struct PhotonSums {
   std::vector<double> wavelengths_nm;
   double ring_width_m = 0;
   std::size_t rings = 0, sectors = 1;
-  bool all_wavelengths = true;   ///< whether a photon carries all wavelengths; else one
+  bool all_wavelengths =
+      true;  ///< whether a photon carries all wavelengths; otherwise it carries one
   std::vector<BlockRange> done;  ///< in order, with gaps between them
-  /// [plane × sectors + sector](ring, wavelength) sums over blocks of a block's light, given as the area of
-  /// unshaded sunlight with as much light [m²], and of its square
+  /// [plane × sectors + sector](ring, wavelength): sum over blocks of each block's light, and of its square. Light
+  /// is expressed as the area that receives as much in unshaded sunlight [m²]
   std::vector<algebra::Grid<double>> sum, sum_of_squares;
-  /// remainders of compensated summation, from merging; empty: 0
+  /// remainders of compensated summation, from merging; if empty, 0
   std::vector<algebra::Grid<double>> sum_rest{}, sum_of_squares_rest{};
 };
 
@@ -55,31 +56,31 @@ std::uint64_t blocks_in(const std::vector<BlockRange>& ranges);
 /// Blocks of a range that are not done yet.
 std::vector<BlockRange> missing(const PhotonSums& sums, BlockRange blocks);
 
-/// Sums of two runs together.
+/// Merges the sums of two runs.
 ///
-/// Accuracy  equal to one run but for rounding, 1e-12, however many sums are merged one by one
+/// Accuracy  equal to a single run except for rounding, 1e-12, however many sums are merged one by one
 /// Throws    Error  when keys differ, or both hold the same block
 PhotonSums merged(PhotonSums a, const PhotonSums& b);
 
 /// Mean and standard error of the light in each cell, placed at the ring's middle. Blocks are independent and
 /// identically distributed: the mean is unbiased, and its standard error follows from the scatter of blocks.
 ///
-///     E/E₀ = (1 + z/D)² Σ / (n A)      A = the cell's area, n = photons
+///     E/E₀ = (1 + z/D)² Σ / (n A)      A = the cell's area, n = number of photons
 ///
-/// Returned  axis_distances_m at the rings' middles; the standard error equal to the ratio, 100 %,
-///           where there are fewer than blocks_for_an_error
+/// Returned  light with axis_distances_m at the rings' middles; the standard error equals the ratio (100 %)
+///           if there are fewer blocks than blocks_for_an_error
 RefractedLight means_over_rings(const PhotonSums& sums);
 
-/// Light estimated by photons. Its standard error combines noise and unresolved structure within rings, as the
+/// Light estimated from photons. Its standard error combines noise and unresolved structure within rings, as the
 /// root of the sum of squares.
 struct PhotonLight : RefractedLight {
-  /// [as ratio] standard error by noise, which more photons reduce
+  /// standard error due to noise, which more photons reduce; indexed like ratio
   std::vector<algebra::Grid<double>> noise;
 };
 
 /// Light at the rings' middles, deconvolved so that its means over the rings are the photons' means. The
-/// logarithm g of the light is a parabola through a ring and its two neighbours, across the axis in the
-/// opposite sector; s is the distance from the middle in ring widths h.
+/// logarithm g of the light is a parabola through a ring and its two neighbours (across the axis, those of the
+/// opposite sector); s is the distance from the middle in ring widths h.
 ///
 ///     E = M / ∫ (1 + s h/r) exp(g′ s + g″ s²/2) ds      −½ < s < ½, M = the ring's mean
 ///
@@ -87,11 +88,11 @@ struct PhotonLight : RefractedLight {
 /// resolve is estimated as a relative error of 3/32 of the fourth difference of ln M, four times the error of a
 /// cubic for a smooth curve. It is combined with the neighbouring rings' errors, whose squares count half, and
 /// the fourth difference that noise alone would cause is subtracted. Rings whose noise exceeds a third of their
-/// mean (empty ones included) keep their mean and are not used as neighbours, nor are rings 50 times as bright
-/// or dark. With one neighbour missing, g is a straight line, and the whole correction counts as an error.
+/// mean (empty ones included) keep their mean and are not used as neighbours, nor are rings 50 times brighter
+/// or darker. With one neighbour missing, g is a straight line, and the whole correction counts as an error.
 ///
 /// Returned  as means_over_rings
-/// Accuracy  2e-5 for light that falls by e in two ring widths or more; noise grows by 9 %
+/// Accuracy  2e-5 for light that falls by a factor e in two ring widths or more; noise grows by 9 %
 PhotonLight estimated(const PhotonSums& sums);
 
 /// Stopping rule: enough photons are traced when light, weighted over wavelengths, is known to a tolerance in
@@ -102,8 +103,8 @@ struct StoppingRule {
   double from_m, to_m;          ///< axis distances
 };
 
-/// Largest relative error of the weighted light at two standard errors of noise; 1 where no light has landed, or
-/// the noise is not known. Unresolved structure does not count, as no number of photons would reduce it.
+/// Largest relative error of the weighted light at two standard errors of noise; 1 if no light has landed somewhere,
+/// or the noise is not known. Unresolved structure does not count, as no number of photons would reduce it.
 double worst_error(const PhotonLight& light, const StoppingRule& rule);
 
 /// Largest relative error of the weighted light at two standard errors, unresolved structure included.

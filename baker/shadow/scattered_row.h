@@ -9,10 +9,10 @@
 
 namespace coppermoon::shadow {
 
-/// Number of wavelengths to a multiple of which rows are padded.
+/// Rows are padded to a multiple of this number of wavelengths.
 inline constexpr std::size_t waves_together = 8;
 
-/// Adds light that is scattered at one point, by wavelength, with the machine's widest vectors:
+/// Adds the light that is scattered at one point, by wavelength, with the machine's widest vectors:
 /// filter Σ scattered[k] spectra(k) exp(−Σ passed[k] spectra(k)).
 ///
 /// Given  scattered  amounts of absorbers at the point, 0 or more

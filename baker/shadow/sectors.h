@@ -7,11 +7,11 @@
 
 namespace coppermoon::shadow {
 
-/// Number of sectors in which light is given where it is not symmetric about the axis.
+/// Default number of sectors for light that is not symmetric about the axis.
 inline constexpr std::size_t sectors_around = 24;
 
-/// Consecutive sectors, of equal ones that divide all position angles about the shadow axis; in order from `first`
-/// through east. Sector s is centred at 2π s / around.
+/// Consecutive sectors out of the equal ones that divide all position angles about the shadow axis, in order from
+/// `first` through east. Sector s is centred at 2π s / around.
 struct Sectors {
   std::size_t around = 1;  ///< number of sectors in the full circle, 1 or more
   std::size_t first = 0, count = around;
@@ -29,7 +29,7 @@ struct Sectors {
     return static_cast<std::size_t>((number % size + size) % size);
   }
 
-  /// Whether a sector is one of these.
+  /// Whether these sectors include a given one.
   bool hold(std::size_t part) const { return (part + around - first) % around < count; }
 
   /// Position angle of a sector's middle, 0 to 2π.
@@ -43,7 +43,7 @@ struct Sectors {
     return wrapped(static_cast<std::ptrdiff_t>(std::floor(turn + 0.5)));
   }
 
-  /// Sector on the opposite side of the axis; the sector itself where their number is odd.
+  /// Sector on the opposite side of the axis; the sector itself if the number of sectors is odd.
   std::size_t opposite(std::size_t part) const {
     return around % 2 == 0 ? (part + around / 2) % around : part;
   }
@@ -57,7 +57,7 @@ struct Sectors {
                                : Sectors{around, (first + around - 1) % around, count + 2};
   }
 
-  /// These sectors where the full circle has so many; else all of so many.
+  /// These sectors if the full circle has `parts` of them; otherwise all sectors of a circle with `parts`.
   Sectors in(std::size_t parts) const { return parts == around ? *this : Sectors{parts}; }
 };
 

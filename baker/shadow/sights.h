@@ -10,22 +10,22 @@
 
 namespace coppermoon::shadow {
 
-/// Amounts of absorbers along straight lines through a column of air, from a point on the line outwards: a table
-/// over the line's lowest altitude and the point's distance from the lowest point.
+/// Amounts of absorbers along straight lines through a column of air, from a point on the line outwards, tabulated
+/// by the line's lowest altitude and the point's distance from the lowest point.
 class Slants {
  public:
-  /// Given  radius_m  of the ground
+  /// Given  radius_m  radius of the ground
   Slants(const atmosphere::Column& column, const photons::ProfileTable& profiles, double radius_m);
 
   /// Amounts from a point outwards.
   ///
-  /// Given  lowest_m  lowest altitude; below 0 the table's value at 0 holds
+  /// Given  lowest_m  lowest altitude of the line; below 0 the table's value at 0 holds
   ///        along_m   distance of the point from the lowest point, 0 or more
   atmosphere::Amounts beyond(double lowest_m, double along_m) const;
 
   /// Amounts along the whole line up to a point.
   ///
-  /// Given  along_m  distance of the point from the lowest point; below 0 before it
+  /// Given  along_m  distance of the point from the lowest point; negative before the lowest point
   atmosphere::Amounts up_to(double lowest_m, double along_m) const;
 
  private:
@@ -42,7 +42,7 @@ struct SightPoint {
   double impact_m, along_m;  ///< along_m: from the lowest point, positive towards the shadow
   double altitude_m;
   double lowest_m;              ///< lowest altitude between the point and the shadow
-  atmosphere::Amounts profile;  ///< times b db ds
+  atmosphere::Amounts profile;  ///< profiles at the point, times b db ds
   atmosphere::Amounts onward;   ///< amounts from the point to the shadow
 };
 

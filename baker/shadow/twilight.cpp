@@ -61,11 +61,11 @@ class View {
   glm::dvec3 outwards_, aside_;
 };
 
-/// Twilight of one column of air, in all atmospheres, whose columns differ in amounts alone.
+/// Twilight from one column of air in all atmospheres, whose columns differ only in amounts.
 class Ring {
  public:
-  /// Given  richest  column with the largest amounts of all (atmosphere::richest)
-  ///        columns  column of each atmosphere
+  /// Given  richest  column with the largest amounts in any atmosphere (atmosphere::richest)
+  ///        columns  the column in each atmosphere
   Ring(const Column& richest, std::span<const Column* const> columns, double radius_m,
        std::span<const atmosphere::Optics> optics)
       : column_(richest),
@@ -75,7 +75,7 @@ class Ring {
     for (const auto* column : columns) airs_.push_back(in_air(*column, optics));
   }
 
-  /// Adds light per radian of position angle around the Earth: wavelengths of one atmosphere after the other, padded.
+  /// Adds light per radian of position angle around the Earth: the wavelengths of each atmosphere in turn, padded.
   void add(const View& view, std::span<double> ratio) const {
     const auto phase = scattering(column_, view.direction(radius_m_).z);
     const std::size_t waves = ratio.size() / airs_.size();
@@ -128,12 +128,12 @@ class Ring {
   std::vector<InAir> airs_;
 };
 
-/// Light [angle][wavelength] by the angle between the limb's direction and the place's, over a half circle, as the
-/// other half mirrors it; wavelengths of one atmosphere after the other, padded.
+/// Light [angle][wavelength] by the angle between the directions of limb and place, over a half circle, as the
+/// other half mirrors it. The wavelengths of each atmosphere follow in turn, padded.
 using AroundTheRing = std::vector<std::vector<double>>;
 
-/// Weights (angle, node) of trigonometric interpolation: an even function's values at so many angles around, from its
-/// values at nodes over a half circle.
+/// Weights (angle, node) for trigonometric interpolation of an even function, from its values at nodes over a half
+/// circle to `angles` angles around the full circle.
 Grid<double> between_angles(std::size_t angles) {
   constexpr std::size_t half = angles_around / 2;
   Grid<double> shares(angles / 2 + 1, half + 1);
@@ -151,9 +151,9 @@ Grid<double> between_angles(std::size_t angles) {
   return shares;
 }
 
-/// Light of a ring around a place at one axis distance.
+/// Light from a ring around a place at one axis distance.
 ///
-/// Given  shares  weights by `between_angles`
+/// Given  shares  weights from `between_angles`
 ///        waves   padded number of wavelengths, of all atmospheres
 AroundTheRing around(const Ring& ring, double axis_distance_m, double depth_m,
                      const Grid<double>& shares, std::size_t waves) {
@@ -172,7 +172,7 @@ AroundTheRing around(const Ring& ring, double axis_distance_m, double depth_m,
   return light;
 }
 
-/// Rings by column; none for columns that have no part of the limb.
+/// Rings by column; nothing for columns that have no part of the limb.
 std::vector<std::optional<Ring>> rings_of(std::span<const Atmosphere> airs,
                                           std::span<const double> wavelengths_nm) {
   const auto rich = atmosphere::richest(airs);
@@ -209,7 +209,7 @@ void gather(const Atmosphere& atmosphere, const std::vector<AroundTheRing>& ring
   }
 }
 
-/// Multiples of a step that enclose a list, increasing; the list itself, sorted, where it is no longer than these.
+/// Increasing multiples of a step that enclose a list; if the list is no longer than these, the list itself, sorted.
 std::vector<double> coarser(std::vector<double> list, double step) {
   std::ranges::sort(list);
   const double first = std::floor(list.front() / step), last = std::ceil(list.back() / step);

@@ -9,8 +9,8 @@
 
 namespace coppermoon::shadow {
 
-/// Twilight ring: sunlight that the limb's air scatters once into the shadow, over unshaded sunlight, on a surface
-/// that faces the Sun.
+/// Twilight ring: sunlight that the air at the limb scatters once into the shadow, as a ratio to unshaded sunlight,
+/// on a surface that faces the Sun.
 ///
 ///     E/E₀ = (1 + z/D)² / r² ∫∫∫ Σ ω_k P_k(χ) / (4π) β_k exp(−τ) ds b db dφ
 ///
@@ -22,10 +22,10 @@ namespace coppermoon::shadow {
 ///
 /// Given     wavelengths_nm    380 to 780
 ///           axis_distances_m  0 or more
-/// Returned  one sector for air without regions, else sectors_around; at 450 nm on the axis 1.6e-7
+/// Returned  one sector for air without regions, otherwise sectors_around; at 450 nm on the axis 1.6e-7
 ///           in clear air, 3.7e-7 in standard air, 1.0e-6 under a stratosphere full of ash
-/// Accuracy  1.5 % of this integral, and of sasktran2's single scattering on the axis, clear air to ash; every third
-///           belt alone, in 0.4 of the time: 2 % in 1982 and 1991, 4 % in 2022
+/// Accuracy  1.5 % of this integral, and of sasktran2's single scattering on the axis, from clear air to ash. With
+///           only every third belt, which takes 0.4 of the time: 2 % in 1982 and 1991, 4 % in 2022
 /// Omits     multiple scattering, which adds to this light on the axis 9 % (420 nm) to 5 % (700 nm) in clear air, 1 %
 ///           more over ground of albedo 0.3, 2 to 11 % with stratospheric aerosol, 2 to 4 % under ash (sasktran2's
 ///           discrete ordinates and successive orders); refraction, 20' of the 57' between sight and sunlight at
@@ -38,27 +38,28 @@ RefractedLight twilight(const atmosphere::Atmosphere& atmosphere, const Arrangem
                         std::span<const double> wavelengths_nm,
                         std::span<const double> axis_distances_m);
 
-/// Twilight in several atmospheres at once, faster than one by one: lines through the air are integrated once.
+/// Twilight in several atmospheres at once. This is faster than one by one, as lines through the air are integrated
+/// only once.
 ///
-/// Given   airs   one or more, which differ only in amounts of dust, ozone and cloud cover
+/// Given   airs   one or more, which may differ only in their dust, ozone and cloud cover
 /// Throws  Error  when airs differ in anything else (atmosphere::richest), and as twilight
 std::vector<RefractedLight> twilight_in(std::span<const atmosphere::Atmosphere> airs,
                                         const Arrangement& arrangement,
                                         std::span<const double> wavelengths_nm,
                                         std::span<const double> axis_distances_m);
 
-/// Twilight from which `add_between` interpolates that of places in the shadow: on one middle plane, at the places'
-/// wavelengths and axis distances, or every 5 nm and every 1000 km where that is fewer.
+/// Twilight from which `add_between` interpolates the twilight at places in the shadow. It is computed on one middle
+/// plane, at the places' wavelengths and axis distances, or every 5 nm and every 1000 km where these are fewer.
 ///
-/// Given   lights  light at the places, in one or more atmospheres, with increasing wavelengths; the first counts
-///         airs    as for twilight_in
+/// Given   light  at the places, with increasing wavelengths
+///         airs   as for twilight_in
 std::vector<RefractedLight> twilight_about(const RefractedLight& light,
                                            std::span<const atmosphere::Atmosphere> airs);
 
-/// Adds twilight of one plane to light in the shadow, linearly in axis distance, position angle and wavelength. On
-/// other planes it follows by the inverse square of the distance from the Earth.
+/// Adds twilight from one plane to light in the shadow, interpolated linearly in axis distance, position angle and
+/// wavelength. On other planes, twilight varies with the inverse square of the distance from the Earth.
 ///
-/// Given  more  by twilight_about
+/// Given  more  twilight, from twilight_about
 void add_between(const RefractedLight& more, RefractedLight& light);
 
 /// Adds the twilight to light in the shadow, interpolated: `twilight_about`, then `add_between`.
@@ -67,19 +68,19 @@ void add_between(const RefractedLight& more, RefractedLight& light);
 /// Accuracy  0.5 % of the twilight
 void add_twilight(RefractedLight& light, const atmosphere::Atmosphere& atmosphere);
 
-/// Adds the twilight of several atmospheres at once.
+/// Adds the twilight in several atmospheres at once.
 ///
 /// Given  lights  light in each atmosphere, at the same places and wavelengths
 ///        airs    as for twilight_in
 void add_twilight_in(std::span<RefractedLight> lights,
                      std::span<const atmosphere::Atmosphere> airs);
 
-/// Irradiance by the stars of half the sky over sunlight at 1 au. Mean brightness of the sky: 100 stars of tenth
-/// magnitude per square degree; the Sun: V = −26.74. The stars' spectrum is taken to be the Sun's.
+/// Ratio of the irradiance from the stars of half the sky to sunlight at 1 au. The sky's mean brightness is taken as
+/// 100 stars of tenth magnitude per square degree, the Sun's as V = −26.74, the stars' spectrum as the Sun's.
 ///
 ///     ¼ · 41253 · 100 · 10^(−0.4 (10 + 26.74))
 ///
-/// Accuracy  a third, by which part of the Milky Way is up
+/// Accuracy  a third, depending on which part of the Milky Way is up
 /// Omits     zodiacal light, brighter than the stars near the Sun
 /// Source    Leinert et al. (1998), A&AS 127, 1, for the brightness of the sky
 inline constexpr double starlight_ratio = 2.08e-9;

@@ -10,20 +10,20 @@
 namespace coppermoon::surface {
 
 /// An albedo map is a Grid<float> in plate carrée: twice as many columns as rows, row 0 in the
-/// north, longitude 0 in the middle, east to the right. Texels are areas; this is the place of a
-/// texel's centre.
+/// north, longitude 0 in the middle, east to the right. Texels are areas; this function returns the
+/// place of a texel's centre.
 ///
 /// Given  row, column  of the texel; rows: of the map, which has 2 rows columns
 almanac::SelenographicPoint texel_centre(std::size_t row, std::size_t column, std::size_t rows);
 
-/// Value of a map at a place: bilinear between texel centres, across the seam at longitude 180,
-/// and held beyond the last row's centre at the poles.
+/// Value of a map at a place, interpolated bilinearly between texel centres and across the seam at
+/// longitude 180; constant between the last row's centre and the pole.
 ///
 /// Given   at     any longitude; latitude clamped to ±90°
 /// Throws  Error  when the map is empty
 double sampled(const algebra::Grid<float>& map, const almanac::SelenographicPoint& at);
 
-/// Map scaled to a given geometric albedo of the full Moon:
+/// Scales a map to a given geometric albedo of the full Moon:
 ///
 ///     mean over the disc of A f(mu) = p        f = radiance_factor_at_full_moon
 ///
@@ -32,8 +32,8 @@ double sampled(const algebra::Grid<float>& map, const almanac::SelenographicPoin
 ///
 /// Given     geometric_albedo  p, 0.01 to 1; the Moon's is 0.12 in V
 /// Returned  normal albedo A at each texel
-/// Accuracy  1e-3 of p for a map of any size: the disc is summed over at least 180 rows. The
-///           phase of 1.5 degrees itself, another 0.9e-3 darker, is left out
+/// Accuracy  1e-3 of p for a map of any size: the sum over the disc has at least 180 rows. Viewing at
+///           a phase of exactly 1.5 degrees would be another 0.9e-3 darker; this is left out
 /// Throws    Error  when p is outside its range, the map is not 2:1, or its near side is black
 /// Source    0.12: Allen's Astrophysical Quantities. E. Schmidt's photometry of 11 January 2009,
 ///           4900 to 5400 cd/m2 at a phase of 1.64 degrees, makes it 0.115 to 0.127; ROLO, as it
@@ -41,13 +41,13 @@ double sampled(const algebra::Grid<float>& map, const almanac::SelenographicPoin
 algebra::Grid<float> normalised_to_geometric_albedo(algebra::Grid<float> map, Photometry photometry,
                                                     double geometric_albedo = 0.12);
 
-/// Exponent that turns radiance factors at 60 degrees of phase into those at full Moon, up to a factor: at 60
-/// degrees maria are darker, relative to highlands, than at full Moon.
+/// Exponent that turns radiance factors at a phase of 60 degrees into those at full Moon, up to a factor. At 60
+/// degrees maria are darker relative to highlands than at full Moon.
 ///
-/// Source  a line through the logarithms of all cells of Sato et al. (2014), weighted by area
+/// Source  a straight line fitted to the logarithms of all cells in Sato et al. (2014), weighted by area
 inline constexpr double exponent_to_full_moon = 1 / 1.56;
 
-/// Normal albedo, up to a factor, of a code value in NASA's CGI Moon Kit of 2019:
+/// Normal albedo, up to a factor, for a code value in NASA's CGI Moon Kit of 2019:
 ///
 ///     A = (0.16 + 0.24 v)^(2.8 exponent_to_full_moon)
 ///
@@ -55,15 +55,15 @@ inline constexpr double exponent_to_full_moon = 1 / 1.56;
 /// Source  https://svs.gsfc.nasa.gov/4720: "a gamma of 2.8", "the range (0.16, 0.4)", of I/F at 60 degrees
 double kit_2019_albedo(double code);
 
-/// Map of NASA's CGI Moon Kit of 2019 with its contrast near the poles restored. Beyond latitude 64 degrees the
-/// kit fades into another map of lower contrast: the slope of its logarithms against the albedos of Sato et al.
-/// (2014), cell by cell, falls from 0.9 to 0.35 at 69.5 degrees north and south. Departures from a row's mean M
+/// Restores the contrast near the poles in the map from NASA's CGI Moon Kit of 2019. Beyond latitude 64 degrees the
+/// kit fades into another map of lower contrast: the slope of its logarithms against those of the albedos in Sato et
+/// al. (2014), cell by cell, falls from 0.9 to 0.35 at 69.5 degrees north and south. Deviations from a row's mean M
 /// are amplified:
 ///
 ///     A' = M (A / M)^(1/f)        f = 1 up to 64 degrees, 0.37 from 70 degrees on, a line between
 algebra::Grid<float> with_polar_contrast(algebra::Grid<float> map);
 
-/// Geometric albedo of a map: mean of A f(mu) over the disc, as in normalised_to_geometric_albedo.
+/// Geometric albedo of a map: the mean of A f(mu) over the disc, as in normalised_to_geometric_albedo.
 double geometric_albedo(const algebra::Grid<float>& map, Photometry photometry);
 
 }  // namespace coppermoon::surface

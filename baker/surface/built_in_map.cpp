@@ -16,7 +16,7 @@
 namespace coppermoon::surface {
 namespace {
 
-/// Normal albedo of each of the 256 codes.
+/// Normal albedo for each of the 256 codes.
 std::array<float, 256> albedo_of_codes() {
   std::array<float, 256> albedo{};
   for (std::size_t code = 0; code < albedo.size(); ++code)
@@ -32,7 +32,7 @@ algebra::Grid<float> built_in_map() {
   jpeg_error_mgr errors{};
   jpeg_decompress_struct jpeg{};
   jpeg.err = jpeg_std_error(&errors);
-  // the file is part of the library: decoding fails for lack of memory alone
+  // the file is part of the library, so decoding can fail only for lack of memory
   errors.error_exit = [](j_common_ptr) { throw std::bad_alloc(); };
   const std::unique_ptr<jpeg_decompress_struct, decltype(&jpeg_destroy_decompress)> destroyed(
       &jpeg, jpeg_destroy_decompress);

@@ -23,7 +23,7 @@ using std::numbers::pi;
 
 constexpr int smoothings = 2;
 
-/// Grid of a table of whole numbers, row by row, times a unit.
+/// Converts a table of whole numbers to a grid, multiplying each by a unit.
 Grid<float> grid_of(std::string_view text, double unit) {
   const auto lines = algebra::parse_text_table(text);
   Grid<float> grid(lines.size(), lines.front().size());
@@ -33,7 +33,7 @@ Grid<float> grid_of(std::string_view text, double unit) {
   return grid;
 }
 
-/// Map filtered by a binomial of three rows and three columns, across the seam; the outermost rows are repeated.
+/// Smooths a map by a binomial filter of 3 rows and 3 columns, across the seam; the outermost rows are repeated.
 Grid<float> smoothed(const Grid<float>& map) {
   const std::size_t rows = map.rows(), columns = map.columns();
   const auto binomial = [](float a, float b, float c) { return (a + 2 * b + c) / 4; };
@@ -49,8 +49,8 @@ Grid<float> smoothed(const Grid<float>& map) {
   return both;
 }
 
-/// Poisson kernel at even angles, normalised to sum 1: weights of values on a unit circle for the harmonic
-/// function at a radius within it.
+/// Poisson kernel at evenly spaced angles, normalised to a sum of 1. It gives the weights of values on a unit circle
+/// for the harmonic function at a radius within it.
 std::vector<float> poisson_kernel(std::size_t count, double radius) {
   std::vector<float> kernel(count);
   double sum = 0;
@@ -63,7 +63,8 @@ std::vector<float> poisson_kernel(std::size_t count, double radius) {
   return kernel;
 }
 
-/// Fills the polar cap beyond a row with the harmonic function: each wave cos m λ falls as tan^m(colatitude/2).
+/// Fills the polar cap beyond a row with the harmonic function, in which each wave cos m λ falls as
+/// tan^m(colatitude/2).
 void continue_harmonically(Grid<float>& map, std::size_t measured, std::size_t row) {
   const auto half_colatitude = [&](std::size_t r) {
     const std::size_t from_pole = std::min(r, map.rows() - 1 - r);
@@ -80,7 +81,7 @@ void continue_harmonically(Grid<float>& map, std::size_t measured, std::size_t r
   }
 }
 
-/// Map of the whole sphere, from rows of the middle latitudes.
+/// Extends rows for the middle latitudes to a map of the whole sphere.
 Grid<float> to_the_poles(const Grid<float>& middle) {
   Grid<float> whole(middle.columns() / 2, middle.columns());
   const std::size_t missing = (whole.rows() - middle.rows()) / 2, last = whole.rows() - missing - 1;
@@ -98,7 +99,7 @@ Grid<float> measured(Grid<float> map) {
   return to_the_poles(map);
 }
 
-/// Subtracts from each map its mean over the disc, weighted by light: A mu f times the cells' area.
+/// Subtracts from each map its mean over the disc, weighted by light (A mu f times the cell's area).
 void subtract_means(Ground& ground, const Grid<float>& normal_albedo, Photometry photometry) {
   constexpr std::size_t rows = 360;  // half a degree: finer than either map
   double light = 0, colour = 0, surge = 0;
@@ -120,7 +121,7 @@ void subtract_means(Ground& ground, const Grid<float>& normal_albedo, Photometry
   for (float& value : ground.surge.values()) value -= static_cast<float>(surge / light);
 }
 
-/// Derivative of the surge's logarithm by its amplitude: B(g) / (1 + Bs0 B(g) + m).
+/// Derivative of the surge's logarithm with respect to its amplitude: B(g) / (1 + Bs0 B(g) + m).
 double share_of_surge(algebra::Angle phase) {
   constexpr double amplitude = 1.87, width = 0.073, more_than_once = 0.158;
   const double b = 1 / (1 + std::tan(algebra::in_radians(phase) / 2) / width);

@@ -7,10 +7,10 @@
 
 namespace coppermoon::surface {
 
-/// Maps of colour and opposition surge relative to the mean Moon's, laid out as in albedo_map.h; smooth, with cells
-/// of one and of two degrees.
+/// Maps of colour and opposition surge relative to those of the mean Moon, laid out as in albedo_map.h. They are
+/// smooth, with cells of one and two degrees.
 struct Ground {
-  /// c: natural logarithm of reflectance at 415 nm over that at 566 nm; above 0: bluer
+  /// c: natural logarithm of the ratio of reflectance at 415 nm to that at 566 nm; bluer above 0
   algebra::Grid<float> colour;
   algebra::Grid<float> surge;  ///< s: amplitude of the shadow-hiding opposition surge
 };
@@ -20,12 +20,12 @@ inline constexpr double strongest_colour = 0.15;
 
 /// Colour and surge measured by a camera in orbit (LROC).
 ///
-/// Returned  c and s as measured, without subtracting their mean; smoothed twice by a binomial filter three cells
-///           wide, as single cells err by 0.012 in c. Beyond latitude 70 degrees, where there are no measurements,
+/// Returned  c and s as measured, without subtracting their means; smoothed twice by a binomial filter three cells
+///           wide, as single cells are off by 0.012 in c. Beyond latitude 70 degrees, where there are no measurements,
 ///           the harmonic function that continues the last rows; at the pole it is their mean
-/// Accuracy  places to a degree; c to 0.006, s to 0.03, from the scatter of neighbouring cells
+/// Accuracy  places to a degree; c to 0.006, s to 0.03, from the scatter between neighbouring cells
 /// Omits     the surge's width, which the same source gives: it correlates with latitude, as the observed phases
-///           do, and not with the ground
+///           do, and not with the terrain
 /// Source    baker/surface/data/lunar_blue_ratio.csv, lunar_surge_amplitude.csv: Sato et al. (2014),
 ///           Resolved Hapke parameter maps of the Moon
 Ground measured_ground();
@@ -39,8 +39,8 @@ Ground measured_ground();
 /// Throws  Error          as geometric_albedo
 Ground ground_under(const algebra::Grid<float>& normal_albedo, Photometry photometry);
 
-/// Departure k of a place's spectrum from the mean Moon's, per unit of c: reflectance over the mean spectrum is
-/// A (1 + c k), with
+/// Deviation k of a place's spectrum from the mean Moon's, per unit of c. The ratio of reflectance to the mean spectrum
+/// is A (1 + c k), with
 ///
 ///     k = -5.4578e-3 x + 7.7136e-6 x^2        x = lambda - 566 nm
 ///
@@ -50,27 +50,27 @@ Ground ground_under(const algebra::Grid<float>& normal_albedo, Photometry photom
 ///
 /// Given     wavelength  380 to 780 nm
 /// Returned  1.282 at 380 nm, -0.815 at 780 nm
-/// Accuracy  0.7 % of the ratio of 643 to 566 nm, RMS over the disc. Outside 415 to 643 nm the parabola is
+/// Accuracy  0.7 % in the ratio of 643 to 566 nm, RMS over the disc. Outside 415 to 643 nm the parabola is
 ///           extrapolated
 /// Throws    Error  when the wavelength is outside its range
 /// Source    Sato et al. (2014)
 double colour_spectrum(algebra::Wavelength wavelength);
 
-/// Departure q of a place's phase curve from the mean Moon's, per unit of s: the curve is P (1 + s q), with P the
-/// phase_factor and q the derivative of the logarithm of Hapke's surge by its amplitude:
+/// Deviation q of a place's phase curve from the mean Moon's, per unit of s. The curve is P (1 + s q), with P the
+/// phase_factor and q the derivative of the logarithm of Hapke's surge with respect to its amplitude:
 ///
-///     q(g) = B(g) / (1 + Bs0 B(g) + m) less the same at 1.5 degrees
+///     q(g) = B(g) / (1 + Bs0 B(g) + m) minus the same at 1.5 degrees
 ///     B(g) = 1 / (1 + tan(g/2) / hs)
 ///
-/// Bs0 = 1.87, mean over the disc; hs = 0.073, mean within 20 degrees of the equator; m = 0.158: multiply scattered
-/// light, over p. Ground with stronger shadow hiding (the maria) is dimmer at large phases, and a little brighter
-/// at small ones, than by the mean phase curve.
+/// Bs0 = 1.87, mean over the disc; hs = 0.073, mean within 20 degrees of the equator; m = 0.158, the ratio of multiply
+/// scattered light to p. Ground with stronger shadow hiding (the maria) is dimmer at large phases, and a little
+/// brighter at small ones, than the mean phase curve predicts.
 ///
-/// Returned  0 with yapo_cutler; 0.0074 at 0.95 degrees, as the Moon has within the umbra, -0.059
+/// Returned  0 with yapo_cutler; 0.0074 at 0.95 degrees, as on the Moon within the umbra, -0.059
 ///           at 7 degrees, -0.227 at 60
 /// Accuracy  during an eclipse a place changes by 0.3 % at most. A local width of the surge would change it by 1 %
-///           rms, but the measured widths are not the ground's (see measured_ground)
-/// Omits     change of the phase function by place
+///           rms, but the measured widths do not reflect the terrain (see measured_ground)
+/// Omits     variation of the phase function between places
 /// Source    Hapke (2012), Theory of Reflectance and Emittance Spectroscopy; Sato et al. (2014)
 double surge_slope(Photometry photometry, algebra::Angle phase);
 

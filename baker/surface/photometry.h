@@ -5,10 +5,10 @@
 
 namespace coppermoon::surface {
 
-/// Photometric functions: radiance factor (I/F) over normal albedo. mu0 is the cosine of the angle between the
-/// surface normal and the Sun, mu that between the normal and the viewer, g the phase.
+/// Photometric functions: the ratio of radiance factor (I/F) to normal albedo. mu0 is the cosine of the angle between
+/// the surface normal and the Sun, mu that between the normal and the viewer, g the phase.
 enum class Photometry {
-  /// Function of Yapo & Cutler: a full Moon without darkening until close to the limb.
+  /// Function by Yapo & Cutler: a full Moon that does not darken until close to the limb.
   ///
   ///     f(mu0) = mu0 / (0.1 + 0.9 mu0)
   ///
@@ -27,14 +27,14 @@ enum class Photometry {
   ///
   /// A is the disc reflectance, its coefficients the mean of the bands at 544.0, 549.1 and 553.8 nm (so A is their
   /// geometric mean); Phi is the phase curve of a uniform Lommel-Seeliger sphere. f is 0 to 2.32; the largest values,
-  /// 2 F/F(1.5 deg), at grazing emission. ROLO observed 1.55 to 97 degrees of phase. Below, the expression is
-  /// extrapolated, to F(0)/F(1.5 deg) = 1.157; beyond 97 degrees F is held.
+  /// 2 F/F(1.5 deg), at grazing emission. ROLO observed phases from 1.55 to 97 degrees. Below that the expression is
+  /// extrapolated, to F(0)/F(1.5 deg) = 1.157; beyond 97 degrees F is constant.
   ///
   /// Accuracy  whole disc: 1 % against ROLO's three bands from 1.55 to 10 degrees, 0.06 magnitudes against
-  ///           Allen's phase law from 10 to 90. Highlands and maria have one phase curve (surge_slope gives
-  ///           their departures)
+  ///           Allen's phase law from 10 to 90. Highlands and maria share one phase curve (surge_slope gives
+  ///           their deviations)
   /// Omits     local width of the surge; its colour (a few percent); roughness, which matters far from full Moon;
-  ///           the waxing Moon's being brighter than the waning one by a few percent
+  ///           that the waxing Moon is brighter than the waning one by a few percent
   /// Source    Kieffer & Stone (2005), The spectral irradiance of the Moon, AJ 129, 2887, Table 4;
   ///           Phi: Hapke (2012), Theory of Reflectance and Emittance Spectroscopy
   lommel_seeliger_rolo,
@@ -44,21 +44,21 @@ enum class Photometry {
 /// about the smallest phase outside an eclipse.
 inline constexpr algebra::Angle full_moon_phase = algebra::degrees(1.5);
 
-/// Radiance factor over normal albedo, by either function.
+/// Ratio of radiance factor to normal albedo, by either function.
 ///
 /// Given     cos_incidence  mu0, of the angle between the surface normal and the Sun
 ///           cos_emission   mu, of the angle between the surface normal and the viewer; below 0
 ///                          counts as 0
 ///           phase          g, between the directions to the Sun and to the viewer
-/// Returned  0 where mu0 <= 0
+/// Returned  0 if mu0 <= 0
 double radiance_factor(Photometry photometry, double cos_incidence, double cos_emission,
                        algebra::Angle phase);
 
-/// Coefficients by which either function depends on the cosines, for fast evaluation at many places:
+/// Coefficients of either function's dependence on the cosines, for fast evaluation at many places:
 ///
 ///     f(mu0, mu, g) = scale mu0 / (incidence mu0 + emission max(mu, 0) + constant) P(g)
 ///
-/// with P the phase factor. The denominator is above 0 where mu0 is.
+/// with P the phase factor. The denominator is above 0 whenever mu0 is.
 struct CosineLaw {
   double scale, incidence, emission, constant;
 };

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t texels_at_once = 256;
 
-/// Sine of the depression of the Earth's centre below which no place on Earth sees the ground: the Earth's radius is up
-/// to 0.0181 of its distance; refraction and neighbouring texels are allowed for.
+/// Sine of the depression of the Earth's centre beyond which no place on Earth sees the ground. The Earth's radius is
+/// up to 0.0181 of its distance; there is a margin for refraction and neighbouring texels.
 double sine_of_the_unseen(std::size_t rows) {
   return 0.04 + 1.5 * std::numbers::pi / static_cast<double>(rows);
 }
@@ -39,12 +39,12 @@ struct Scratch {
   std::vector<float> albedo{}, colour{}, surge{};
 };
 
-/// Everything that the rows of a texture share.
+/// Everything that a texture's rows share.
 struct Baking {
   Globe globe;
   const shadow::Lookup& light;
   ResizedRows albedo;
-  std::optional<ResizedRows> colour, surge;  // by place
+  std::optional<ResizedRows> colour, surge;  // if the ground differs by place
   TexelQuantity quantity;
   std::vector<double> sunlit;
   algebra::Progress progress;
@@ -52,7 +52,7 @@ struct Baking {
 
   std::size_t channels() const { return colour ? light.channels() / 2 : light.channels(); }
 
-  /// Channels of one texel.
+  /// Writes one texel's channels.
   void write(double reflected, std::span<const double> there, std::span<float> texel) const {
     const std::size_t count = texel.size();
     if (quantity == TexelQuantity::luminance)
@@ -85,7 +85,7 @@ struct Baking {
       for (std::size_t c = 0; c < there.size(); ++c) there[c] /= sunlit[c];
   }
 
-  /// Colour and surge of some texels' ground.
+  /// Albedo, colour and surge of the ground in some texels.
   struct Texels {
     std::span<const float> albedo, colour, surge;
     Texels part(std::size_t first, std::size_t count) const {

@@ -15,14 +15,14 @@
 
 namespace coppermoon::texture {
 
-/// Moon, light and ground from which a texture is baked.
+/// The Moon, light and ground from which a texture is baked.
 struct LitSurface {
   const algebra::Grid<float>& normal_albedo;  ///< A, plate carrée, 2:1
   const almanac::SkyState& sky;
-  const shadow::Lookup& light;  ///< w, each channel's radiance at 1 au of a white ground that faces
+  const shadow::Lookup& light;  ///< w, each channel's radiance at 1 au from white ground that faces
                                 ///< the Sun
-  /// Colour and surge by place; none: those of the mean Moon. With it the light has every channel twice: first all as
-  /// the reddest ground returns them, c = −strongest_colour, then all as the bluest does.
+  /// Colour and surge by place; nullptr: those of the mean Moon. If given, the light has every channel twice: first all
+  /// channels as reflected by the reddest ground, c = −strongest_colour, then all as reflected by the bluest.
   const surface::Ground* ground = nullptr;
 };
 
@@ -33,17 +33,17 @@ struct LitSurface {
 ///                                             normal and the Sun, the Earth's centre; g: phase;
 ///                                             d: texel to Sun
 ///
-/// Of ground that differs by place, w is between the reddest ground's and the bluest's, linear in the
-/// place's colour, and f has the place's surge.
+/// If the ground differs by place, w is interpolated between the reddest and the bluest ground, linearly in the
+/// place's colour, and f includes the place's surge.
 ///
-/// Where the Earth stands before the Sun, light comes from the Earth's limb: g is the larger of the
+/// If the Earth is in front of the Sun, light comes from the Earth's limb: g is the larger of the
 /// angle between Sun and Earth's centre and the Earth's angular radius, asin(6378.137 km/distance),
 /// 0.90 to 1.03 degrees. mu0 remains the Sun's. Lit ground that the Earth does not see is baked as
 /// if mu were 0, so that it joins the limb without a step.
 ///
 /// Given     channels    their names, as many as the light has, or half as many with ground by place
-///           rows        of the texture, 2 to 16384; twice as many columns. Smaller than the map:
-///                       the mean over each texel's area; larger: bilinear
+///           rows        of the texture, 2 to 16384; twice as many columns. If smaller than the map,
+///                       it has the mean over each texel's area; if larger, it is bilinear
 ///           photometry  f
 /// Returned  plate carrée, row 0 north, longitude 0 in the middle, east to the right; 0 on the
 ///           night side
@@ -51,17 +51,17 @@ struct LitSurface {
 Image bake(const LitSurface& moon, std::vector<std::string> channels, std::size_t rows,
            surface::Photometry photometry, const algebra::Progress& progress = {});
 
-/// Texels that are lit.
+/// Which texels are lit.
 enum class Extent {
   whole,            ///< all
-  seen_from_earth,  ///< those that some place on Earth sees, and some beyond; the others stay 0
+  seen_from_earth,  ///< those visible from some place on Earth, and a few beyond; others stay 0
 };
 
-/// Quantity of L = E ρ / π in a texel.
+/// Which quantity in L = E ρ / π a texel holds.
 enum class TexelQuantity {
   luminance,    ///< L
-  irradiance,   ///< E / π: of a white diffuse ground that faces the Sun; 0 on the night side
-  reflectance,  ///< ρ, the radiance factor, times the light, which is then a colour of the ground
+  irradiance,   ///< E / π, on white diffuse ground that faces the Sun; 0 on the night side
+  reflectance,  ///< ρ, the radiance factor, times the light, which then is the ground's colour
 };
 
 /// Options of lighting.
@@ -69,21 +69,21 @@ struct Lighting {
   surface::Photometry photometry = surface::Photometry::lommel_seeliger_rolo;
   Extent extent = Extent::whole;
   TexelQuantity quantity = TexelQuantity::luminance;
-  /// Divisor of the light for irradiance, channel by channel: light of the ground under sunlight over that of white,
-  /// mixed by place as the light is. Empty: 1.
+  /// What to divide the light by for irradiance, per channel: the ratio of the ground's light under sunlight to that of
+  /// white ground, mixed by place as the light is. If empty, 1.
   std::vector<double> sunlit = {};
 };
 
-/// Rows of that texture, computed as they are asked for, on all threads: memory does not grow with the texture.
+/// Rows of the texture that `bake` makes, computed on demand on all threads, so memory does not grow with the texture.
 ///
-/// Given     moon      its albedo and light must outlive what is returned
+/// Given     moon      its albedo and light must outlive the returned rows
 ///           progress  called with the fraction of rows lit
-/// Returned  the same values whatever rows are asked for at once and on how many threads
-/// Accuracy  1e-5 of the expression above: of the phase curve between its table's entries
+/// Returned  the same values however many rows are requested at once, and on any number of threads
+/// Accuracy  1e-5 of the expression given for `bake`, from interpolating the phase curve in its table
 Rows lit_rows(const LitSurface& moon, std::size_t rows, const Lighting& lighting = {},
               const algebra::Progress& progress = {});
 
-/// Rows of normal albedo at the texture's size: one channel, also on the night side.
+/// Rows of normal albedo at the texture's size: one channel, including the night side.
 Rows albedo_rows(const algebra::Grid<float>& normal_albedo, std::size_t rows);
 
 }  // namespace coppermoon::texture

@@ -23,7 +23,7 @@ using Colour = std::array<float, 3>;
 constexpr Colour bright{1.F, 0.8F, 0.45F}, dim{0.6F, 0.6F, 0.6F}, white{0.9F, 0.9F, 0.9F};
 constexpr int title_size = 22, least_title_size = 9, label_size = 15;
 
-/// The same values, as OpenImageIO handles them.
+/// An OpenImageIO buffer that shares an image's values.
 OIIO::ImageBuf shared(Image& image) {
   return {OIIO::ImageSpec(static_cast<int>(image.width), static_cast<int>(image.height), 3,
                           OIIO::TypeDesc::FLOAT),
@@ -36,7 +36,7 @@ void require_done(bool done, const OIIO::ImageBuf& buffer) {
   if (!done) throw Error(fmt::format("contact sheet: {}", reason));
 }
 
-/// Text on a sheet, and where.
+/// A line of text on a sheet, and its place.
 struct Line {
   const std::string& text;
   std::size_t x, y;  ///< anchor on the baseline
@@ -54,7 +54,7 @@ void write_line(Image& sheet, const std::filesystem::path& font, const Line& lin
       buffer);
 }
 
-/// Size at which a title fits between a sheet's sides, as far as it can be read. OpenImageIO measures no
+/// Size at which a title fits between a sheet's sides, but never too small to read. OpenImageIO cannot measure
 /// empty text.
 int fitting_size(const Image& sheet, const ContactSheet& of) {
   if (of.title.empty()) return title_size;
@@ -68,7 +68,7 @@ int fitting_size(const Image& sheet, const ContactSheet& of) {
   return size;
 }
 
-/// Picture averaged to a smaller size.
+/// Scales a picture down by averaging its light.
 Image thumbnail(Image picture, const SheetGrid& grid) {
   for (float& value : picture.values) value = OIIO::sRGB_to_linear(value);
   Image small(SheetGrid::picture_width, grid.picture_height, picture.channels);

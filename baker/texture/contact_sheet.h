@@ -11,11 +11,11 @@
 
 namespace coppermoon::texture {
 
-/// Picture of a contact sheet, with captions under its left and right end.
+/// A picture in a contact sheet, with captions under its left and right ends.
 struct SheetPicture {
   std::filesystem::path file;  ///< sRGB-coded, three channels
   std::string left, right;
-  bool marked = false;  ///< captions are bright, else dim
+  bool marked = false;  ///< whether captions are bright, not dim
 };
 
 /// Pictures side by side, row by row, under a title.
@@ -52,24 +52,24 @@ inline SheetGrid sheet_grid(std::size_t pictures, std::size_t columns, std::size
 
 /// Path of a system font for a contact sheet.
 ///
-/// Throws  Error  when there is none where systems keep them: names a package
+/// Throws  Error  when there is none where systems keep fonts; names a package to install
 std::filesystem::path sheet_font();
 
-/// Contact sheet on black; one picture is in memory at a time. Pictures are scaled to the width of SheetGrid by
-/// averaging light, all in the shape of the first; a title that is too long is set smaller.
+/// Draws a contact sheet on black, with one picture in memory at a time. Pictures are scaled to the width of SheetGrid
+/// by averaging light, all to the shape of the first. A title that is too long is set smaller.
 ///
 /// Returned  sRGB-coded, 0 to 1: R, G, B
-/// Throws    Error  as read_image; when there is no picture, a picture has not three channels, or
-///                  the font is none
+/// Throws    Error  as read_image; when there is no picture, a picture does not have three channels, or
+///                  the font cannot be used
 Image drawn(const ContactSheet& sheet);
 
-/// Writes captions into a developed picture, at its lower left and right corner: a 36th of its height, 9 pixels at
-/// least; smaller where the two would meet.
+/// Writes captions into the lower left and right corners of a developed picture. They are a 36th of its height, at
+/// least 9 pixels, but smaller if the two would meet.
 ///
 /// Given   picture  three channels
-///         grey     of the letters, as the picture is coded
+///         grey     level of the letters, coded like the picture
 ///         font     a TrueType file
-/// Throws  Error    when the font is none
+/// Throws  Error    when the font cannot be used
 void write_captions(Image& picture, const std::string& left, const std::string& right, float grey,
                     const std::filesystem::path& font);
 

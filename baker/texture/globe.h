@@ -20,11 +20,11 @@ struct AlongRow {
   double constant, cosine, sine;
 };
 
-/// Geometry of the Moon between Sun and Earth: everything on which a texel's light depends but albedo and shadow.
+/// Geometry of the Moon, Sun and Earth: everything a texel's light depends on except albedo and shadow.
 struct Globe {
   /// Given  rows               of the texture
-  ///        beyond_the_limb    lit ground is left dark where the Earth's centre is lower than that
-  ///                           below its horizon, as the sine of the angle
+  ///        beyond_the_limb    lit ground stays dark if the Earth's centre is further below its
+  ///                           horizon than this, as the sine of the angle
   Globe(const almanac::SkyState& sky, std::size_t rows, surface::Photometry photometry,
         double beyond_the_limb = std::numeric_limits<double>::infinity());
 
@@ -38,35 +38,36 @@ struct Globe {
   std::vector<double> cos_longitude, sin_longitude;  ///< [column]
   Direction sun, moon;  ///< unit vectors from the Moon to the Sun, from the Earth to the Moon
   Direction east, north, depth;   ///< the place in the shadow [m]
-  double sun_ratio, earth_ratio;  ///< the Moon's radius over the distances of Sun and Earth
+  double sun_ratio, earth_ratio;  ///< the Moon's radius over the distances to Sun and Earth
   double sun_cos_earth;           ///< of the angle between `sun` and `moon`
   double earth_sine;              ///< the Earth's radius over its distance
-  double inverse_square;          ///< (1 au / distance of the Sun)²
+  double inverse_square;          ///< (1 au / distance to the Sun)²
   double beyond_the_limb;
   surface::CosineLaw law;
-  std::vector<double> phase_factors;  ///< even in sin(g/2), 0 to 1
-  std::vector<double> surge_factors;  ///< as many: derivative by surge
+  std::vector<double> phase_factors;  ///< at even steps of sin(g/2), 0 to 1
+  std::vector<double> surge_factors;  ///< at the same steps: derivatives by surge
 };
 
-/// Values that the texels of a row share, and the index of the first in the lists by column.
+/// Values that the texels of a row share, with pointers to the lists by column at the first texel.
 struct TexelRow {
   AlongRow sun, moon, east, north, depth;
   const double *cos_longitude, *sin_longitude;
-  const float *albedo, *surge;  ///< surge may be nullptr: the mean Moon's
+  const float *albedo, *surge;  ///< surge: nullptr for the mean Moon's
 };
 
-/// Reflected light over that of white ground facing the Sun at 1 au: albedo times photometric function times
-/// (1 au / d)²; and places in the shadow.
+/// Places in the shadow, and the ratio of reflected light to that of white ground facing the Sun at 1 au: albedo times
+/// photometric function times (1 au / d)².
 struct LitTexels {
   std::span<double> reflected, east_m, north_m, depth_m;
 };
 
-/// Some texels of a row.
+/// Lights some texels of a row.
 ///
-/// Given     column    of the first; albedo: normal, as many as there are to be
-///           surge     as many, of surface::Ground; or none, where all have the mean Moon's
-/// Returned  whether light falls on any
-/// Accuracy  1e-5 of the photometric function, from the phase factors' table
+/// Given     column    of the first texel
+///           albedo    normal albedo, one value per texel
+///           surge     surge as in surface::Ground, one value per texel; if empty, the mean Moon's
+/// Returned  whether light falls on any of them
+/// Accuracy  1e-5 of the photometric function, from the table of phase factors
 bool light_texels(const Globe& globe, std::size_t row, std::size_t column,
                   std::span<const float> albedo, std::span<const float> surge,
                   const LitTexels& lit);

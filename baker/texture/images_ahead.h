@@ -5,12 +5,12 @@
 
 namespace coppermoon::texture {
 
-/// Loading of what reads and writes images, beside other work: it takes one processor 0.2 s. An error is kept for
-/// whoever first reads or writes an image. Nothing is loaded ahead where the address space is limited.
+/// Loads the code that reads and writes images while other work goes on; this takes 0.2 s on one processor. An error is
+/// reported only when an image is first read or written. Nothing is loaded ahead if the address space is limited.
 class ImagesAhead {
  public:
   ImagesAhead();
-  /// Waits for the end of the loading.
+  /// Waits until loading has finished.
   ~ImagesAhead();
   ImagesAhead(const ImagesAhead&) = delete;
   ImagesAhead& operator=(const ImagesAhead&) = delete;

@@ -5,7 +5,7 @@
 
 namespace coppermoon::texture {
 
-/// Refuses to overwrite an image that coppermoon did not make, or a link; absence is sound.
+/// Refuses to overwrite a link, or an image that coppermoon did not make. A missing file is fine.
 ///
 /// Throws  Error
 void require_own_image(const std::filesystem::path& file);

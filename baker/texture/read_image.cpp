@@ -26,7 +26,7 @@ namespace coppermoon::texture {
 namespace {
 
 namespace fs = std::filesystem;
-/// Calls a function; memory that it lacks becomes an Error of the file.
+/// Calls a function; if it runs out of memory, throws an Error that names the file.
 template <class Make>
 auto within_memory(const fs::path& path, const OIIO::ImageSpec& spec, Make make) {
   try {
@@ -37,7 +37,7 @@ auto within_memory(const fs::path& path, const OIIO::ImageSpec& spec, Make make)
   throw cannot_read(path, fmt::format("no memory for {} x {} texels", spec.width, spec.height));
 }
 
-/// Curve from a file's numbers to linear light: a power, or sRGB's.
+/// The curve from a file's numbers to linear light: a power, or sRGB's curve.
 struct Curve {
   bool srgb;
   float power;
@@ -60,13 +60,13 @@ float linear(float v, Curve curve) {
   return curve.power == 1 ? v : std::pow(v, curve.power);
 }
 
-/// Names of a file's channels. OpenImageIO 2.5 calls luminance and its two differences R, G and B.
+/// Names of a file's channels. OpenImageIO 2.5 calls luminance and the two colour differences R, G and B.
 std::vector<std::string> channels_of(const OIIO::ImageSpec& spec) {
   if (spec.get_int_attribute("openexr:luminancechroma") != 0) return {"Y", "RY", "BY"};
   return spec.channelnames;
 }
 
-/// List of channels for an error, shortened when very many.
+/// A list of channels for an error message, shortened when there are very many.
 std::string names_of(const std::vector<std::string>& channels) {
   constexpr std::size_t most = 12;
   const auto shown = static_cast<std::ptrdiff_t>(std::min(most, channels.size()));
@@ -74,8 +74,8 @@ std::string names_of(const std::vector<std::string>& channels) {
                      channels.size() > most ? ", …" : "");
 }
 
-/// Bands of another kind than OpenEXR are grey, or red, green and blue; alpha may follow, and beside grey need
-/// not say so. A TIFF of colours may have more: it says that the first three are they.
+/// Outside OpenEXR, bands must be grey, or red, green and blue. Alpha may follow, and after grey it need
+/// not be marked as such. A colour TIFF may have more bands, as its header says that the first three are colours.
 void require_bands(const fs::path& path, const OIIO::ImageSpec& spec) {
   constexpr int colours = 2;
   const int bands = spec.nchannels - (spec.alpha_channel >= 0 ? 1 : 0);
@@ -85,8 +85,8 @@ void require_bands(const fs::path& path, const OIIO::ImageSpec& spec) {
       fmt::format("{} bands, and nothing says which of them are colours, allowed up to 3", bands));
 }
 
-/// Which channels are red, green and blue, by name; all the same for grey. Only OpenEXR's names are the
-/// file's own: of other kinds the order says it.
+/// Which channels are red, green and blue; all the same for grey. Only in OpenEXR do the names come from
+/// the file; in other formats the order decides.
 std::array<std::size_t, 3> rgb_channels(const fs::path& path, const OIIO::ImageInput& input) {
   const auto& spec = input.spec();
   if (!is_openexr(input)) require_bands(path, spec);
@@ -104,8 +104,8 @@ std::array<std::size_t, 3> rgb_channels(const fs::path& path, const OIIO::ImageI
   throw cannot_read(path, names_of(channels) + ", allowed R, G and B, or Y alone");
 }
 
-/// Reads all that a picture shows: `put` is told where in it a texel is, and the texel's numbers, several
-/// rows at a time. Where the file has none nothing is put.
+/// Reads everything that a picture shows, several rows at a time. `put` gets each texel's place in the picture and
+/// its numbers; it is not called for places without texels in the file.
 template <class Put>
 void for_all_texels(OIIO::ImageInput& input, const fs::path& path, const Put& put) {
   const auto windows = windows_of(input);
@@ -127,7 +127,7 @@ void for_all_texels(OIIO::ImageInput& input, const fs::path& path, const Put& pu
   });
 }
 
-/// Black image of the size that the file shows.
+/// A black image of the size that the file shows.
 Image black(const OIIO::ImageInput& input, std::vector<std::string> channels) {
   const auto shown = windows_of(input).display;
   return {shown.width, shown.height, std::move(channels)};
@@ -137,7 +137,7 @@ float luminance(float red, float green, float blue) {
   return 0.2126F * red + 0.7152F * green + 0.0722F * blue;
 }
 
-/// A band's numbers as light, and a power of their luminance.
+/// Converts a band's numbers to light, and its luminance by a power.
 struct FloatingTone {
   using Number = float;
   Curve curve;
@@ -148,7 +148,7 @@ struct FloatingTone {
   }
 };
 
-/// Table of that light for the 256 values of 8 bits.
+/// Table of the light for each of the 256 values of 8 bits.
 struct ByteTone {
   using Number = std::uint8_t;
   explicit ByteTone(const FloatingTone& of) {
@@ -181,7 +181,7 @@ struct ProfiledTone {
   }
 };
 
-/// Texels of a map that show no ground: wholly transparent, or GDAL's number for no data.
+/// Texels in a map that show no ground: wholly transparent, or with GDAL's number for no data.
 template <class Number>
 struct Holes {
   int alpha;
@@ -203,7 +203,7 @@ struct Holes {
     return no_data && is_near(texel[channel], *no_data) ? "has no data (GDAL_NODATA)" : nullptr;
   }
 
-  /// Whether two numbers are one, but for the rounding of a text.
+  /// Whether two numbers are the same, apart from rounding in text form.
   static bool is_near(Number a, Number b) {
     if constexpr (std::is_floating_point_v<Number>)
       return std::abs(a - b) <= static_cast<Number>(1e-6) * std::abs(b);
@@ -251,14 +251,14 @@ void require_two_to_one(const fs::path& path, const OIIO::ImageInput& input,
                                   spec.full_width, spec.full_height));
 }
 
-/// OpenImageIO makes light of cyan, magenta, yellow and black, but not of other inks.
+/// Refuses inks other than cyan, magenta, yellow and black, which OpenImageIO cannot convert to light.
 void require_light(const fs::path& path, const OIIO::ImageSpec& spec) {
   if (spec.channelnames[0].starts_with("ink"))
     throw cannot_read(path, "channels of inks, allowed grey, colours of light, or CMYK");
 }
 
-/// Beginning of the channels' names of the only layer that has all of several, as "ViewLayer.Combined."; empty where the
-/// file itself has the first, and where no layer or several have them.
+/// Prefix, such as "ViewLayer.Combined.", of the channels in the only layer that has all the given names. It is empty
+/// if the file itself has the first, or if no layer or several layers have them.
 std::string only_layer_of(const std::vector<std::string>& channels,
                           const std::vector<std::string>& names) {
   const auto has = [&](const std::string& name) {
@@ -274,8 +274,8 @@ std::string only_layer_of(const std::vector<std::string>& channels,
   return layers.size() == 1 && !has(names.front()) ? layers.front() : "";
 }
 
-/// Refuses a map of which few texels outshine all others, and would darken them when the mean is scaled: one texel in a
-/// thousand gives more than 1 % of the light beyond what the 99.9th percentile would give.
+/// Refuses a map in which a few texels outshine all others, and would darken them when the mean is scaled: the
+/// brightest thousandth of texels exceeds the 99.9th percentile by more than 1 % of the light in total.
 void require_no_rogues(const fs::path& path, const algebra::Grid<float>& map) {
   constexpr double share = 0.001, most_light = 0.01;
   const auto values = map.values();
@@ -284,7 +284,7 @@ void require_no_rogues(const fs::path& path, const algebra::Grid<float>& map) {
   for (const float v : values) light += double{v};
   const auto greatest = std::ranges::max_element(values);
   if (double{*greatest} * all * share <= most_light * light)
-    return;  // as of ordinary maps: no copy is sorted
+    return;  // the usual case: no need to sort a copy
   std::vector<float> sorted(values.begin(), values.end());
   const auto percentile = sorted.begin() + static_cast<std::ptrdiff_t>((1 - share) * (all - 1));
   std::ranges::nth_element(sorted, percentile);
@@ -354,7 +354,7 @@ Image read_channels(const fs::path& path, const std::vector<std::string>& names)
   });
 }
 
-/// Whether the file's own colours count: not where the user says what the numbers are.
+/// Whether the file's own colours count; they do not if the user says what the numbers are.
 bool heeds_colours(Coding coding) {
   return coding == Coding::as_file_says || coding == Coding::camera;
 }

@@ -11,13 +11,13 @@ namespace {
 
 using std::numbers::pi;
 
-/// Colatitude from 0 to 1, longitude from −180° to 180° as 0 to 1; the seam's two sides are one.
+/// Direction for colatitude and for longitude from −180° to 180°, both as 0 to 1. The seam's two sides coincide.
 glm::dvec3 direction(double down, double along) {
   const double sine = std::sin(pi * down), turn = 2 * pi * (along < 1 ? along : 0);
   return {-sine * std::sin(turn), std::cos(pi * down), -sine * std::cos(turn)};
 }
 
-/// A sphere being made, row by row from the north.
+/// A sphere mesh under construction, row by row from the north.
 struct Making {
   std::size_t rows, columns = 2 * rows;
   SphereMesh mesh{};
@@ -40,7 +40,7 @@ struct Making {
     }
   }
 
-  /// Between the pole and the parallel next to it, and between parallels.
+  /// Adds triangles between the poles and the parallels next to them, and between parallels.
   void add_facets() {
     const auto a_row = static_cast<std::uint32_t>(columns) + 1, first = a_row - 1;
     for (std::uint32_t c = 0; c < first; ++c)

@@ -18,7 +18,7 @@ namespace {
 
 using algebra::Error;
 
-/// XYZ of D65's white, as the DNG specification's illuminant 21 has it.
+/// XYZ of D65 white, which is illuminant 21 in the DNG specification.
 constexpr glm::dvec3 white_xyz{0.95047, 1, 1.08883};
 
 void require_sound(const RawPhotograph& photograph) {
@@ -32,7 +32,7 @@ void require_sound(const RawPhotograph& photograph) {
                           1e-3, 1e3);
 }
 
-/// Last message of libtiff.
+/// Keeps libtiff's last message.
 int keep_words(TIFF*, void* words, const char*, const char* form, std::va_list values) {
   std::array<char, 256> text{};
   std::vsnprintf(text.data(), text.size(), form, values);
@@ -42,7 +42,7 @@ int keep_words(TIFF*, void* words, const char*, const char* form, std::va_list v
 
 int pass_over(TIFF*, void*, const char*, const char*, std::va_list) { return 1; }
 
-/// A TIFF file that is being written.
+/// A TIFF file being written.
 class TiffFile {
  public:
   explicit TiffFile(const files::Handle& file) {
@@ -65,7 +65,7 @@ class TiffFile {
     if (!done) throw Error(words_.empty() ? "no room" : words_);
   }
 
-  /// What is still in memory is written only now.
+  /// Writes what is still in memory.
   void close() {
     require(TIFFFlush(file_.get()) == 1);
     file_.reset();
@@ -176,7 +176,7 @@ void write(const files::Handle& to, const RawPhotograph& photograph, const Attri
     file.set(TIFFTAG_DATETIME, date.c_str());
   auto row = std::vector<std::uint16_t>(photograph.numbers.columns());
   for (std::size_t r = 0; r < photograph.numbers.rows(); ++r) {
-    std::ranges::copy(photograph.numbers.row(r), row.begin());  // libtiff takes no constant
+    std::ranges::copy(photograph.numbers.row(r), row.begin());  // libtiff accepts no const data
     file.require(TIFFWriteScanline(file.get(), row.data(), static_cast<std::uint32_t>(r), 0) == 1);
   }
   file.require(TIFFWriteDirectory(file.get()) == 1);

@@ -31,7 +31,7 @@ static_assert(std::endian::native == std::endian::little, "numbers are copied as
 enum Component { unsigned_short = 5123, floating = 5126 };
 enum Target { array = 34962, element_array = 34963 };
 
-/// Texels over the brightest, coded as sRGB.
+/// Texels divided by the brightest value, coded as sRGB.
 ///
 /// Source  IEC 61966-2-1
 Image coded(Image image, double brightest) {
@@ -43,7 +43,7 @@ Image coded(Image image, double brightest) {
   return image;
 }
 
-/// Luminance of the brightest channel of all texels; 1 where none shines.
+/// Luminance of the brightest channel in any texel; 1 if all are dark.
 double brightest_in(const fs::path& path, const Image& image) {
   double most = 0;
   for (const float value : image.values) {
@@ -61,7 +61,7 @@ void append(std::string& bytes, std::initializer_list<Number> numbers) {
 
 void pad(std::string& bytes, char with) { bytes.resize((bytes.size() + 3) / 4 * 4, with); }
 
-/// Binary chunk, with a glTF buffer view for each of its contents.
+/// The binary chunk, with a glTF buffer view for each item in it.
 struct Buffer {
   std::string bytes{};
   json views = json::array();
@@ -80,7 +80,7 @@ json accessor(int view, Component component, std::size_t count, const char* type
   return {{"bufferView", view}, {"componentType", component}, {"count", count}, {"type", type}};
 }
 
-/// Points (which are their own normals), places on the picture, triangles: one accessor each.
+/// Adds points (which are their own normals), texture coordinates and triangles, with one accessor each.
 json add_sphere(Buffer& buffer) {
   const auto mesh = sphere_mesh();
   std::string points, places, triangles;
@@ -108,14 +108,15 @@ json add_sphere(Buffer& buffer) {
                    "SCALAR")};
 }
 
-/// JSON list of one item.
+/// A JSON list with one item.
 json only(json item) {
   auto list = json::array();
   list.push_back(std::move(item));
   return list;
 }
 
-/// Ground that shows a picture as it is; with a luminance [cd/m²], black and shining by the picture times that.
+/// Material that shows a picture as it is. If a luminance [cd/m²] is given, the material is black and emits the picture
+/// times that luminance.
 json material(std::optional<double> luminance) {
   const json picture{{"index", 0}};
   json ground =

@@ -25,7 +25,7 @@ Layout layout_of(const std::filesystem::path& path, const Image& image) {
   return {image.width, image.height, image.channels};
 }
 
-/// A PNG's header holds nothing else.
+/// Converts an attribute to text, the only kind that a PNG's header can hold.
 std::string as_text(const Attribute& value) {
   if (const auto* number = std::get_if<float>(&value)) return fmt::format("{}", *number);
   if (const auto* number = std::get_if<int>(&value)) return fmt::format("{}", *number);
@@ -48,9 +48,9 @@ void require_format(const std::filesystem::path& path, const Layout& layout,
                             layout.channels.size()));
 }
 
-/// Date and exposure as EXIF has them.
+/// Sets date and exposure as EXIF attributes.
 void set_exposure(OIIO::ImageSpec& spec, const Attributes& attributes) {
-  spec.attribute("DateTime", "");  // or it would be the clock's
+  spec.attribute("DateTime", "");  // else it would be the current time
   for (const auto& name : {"capDate", "expTime", "aperture"})
     if (const auto found = attributes.find(name); found != attributes.end())
       set_attribute(spec, found->first, found->second);
@@ -119,7 +119,7 @@ void write_picture(const std::filesystem::path& path, const Layout& layout, cons
   } else {
     set_exposure(spec, attributes);
     if (const float time_s = spec.get_float_attribute("ExposureTime"); time_s > 0 && time_s < 1)
-      // OpenImageIO 2.4 makes a fraction without a denominator of 1/2, 1/4 and so on
+      // OpenImageIO 2.4 turns 1/2, 1/4 and so on into a fraction without a denominator
       spec.attribute("ExposureTime", std::nextafter(time_s, 1.F));
     spec.attribute("compression", "jpeg:95");
     spec.attribute("jpeg:subsampling", "4:4:4");

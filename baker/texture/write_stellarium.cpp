@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr const char *shader_file = "data/shaders/planet.frag",
                      *script_file = "scripts/startup.ssc";
 
-// Stellarium compiles it several times, with IS_MOON for the Moon, and IS_OBJ for bodies that are no spheres.
+// Stellarium compiles the shader several times, with IS_MOON for the Moon and IS_OBJ for bodies that are not spheres.
 constexpr std::string_view shader = R"(// The light of the Moon is in its texture.
 varying mediump vec2 texc;
 uniform sampler2D tex;

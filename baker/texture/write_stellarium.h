@@ -9,8 +9,8 @@
 
 namespace coppermoon::texture {
 
-/// Where the picture stands in Stellarium's folder: a PNG, recipe and all. Stellarium looks for that name
-/// and goes by what the file holds.
+/// Place of the picture in Stellarium's folder. It is a PNG that includes the recipe: Stellarium looks for this name
+/// but recognises the format by the file's contents.
 inline constexpr const char* stellarium_picture = "textures/moon_4k.jpg";
 
 /// Moment and place at which Stellarium starts.
@@ -19,28 +19,28 @@ struct StellariumSight {
   almanac::Observer observer;
 };
 
-/// Refuses a folder in which a file of somebody's own would be overwritten, one that was changed, or a link;
-/// or one where a link stands in the place of a folder in it. The folder need not be there.
+/// Refuses a folder in which writing would overwrite the user's own file, a file that was changed, or a link, or in
+/// which a link stands in place of a subfolder. The folder need not exist.
 ///
 /// Throws  Error
 void require_stellarium_place(const std::filesystem::path& folder);
 
-/// Writes a folder that Stellarium takes for its user's own (`stellarium --user-dir FOLDER`, of its whole path). Its
-/// Moon is the picture as it is: no light, phase, shadow, extinction or halo of Stellarium's. It starts with the
-/// Moon in the middle, the zenith up, the time standing still, ground and air left out.
+/// Writes a folder that Stellarium can use as its user folder (`stellarium --user-dir FOLDER`, with the full path). Its
+/// Moon shows the picture as it is, without Stellarium's own light, phase, shadow, extinction or halo. Stellarium
+/// starts with the Moon in the middle, the zenith up, time stopped, and without ground and air.
 ///
-///     textures/moon_4k.jpg      the picture, of 8 bits
+///     textures/moon_4k.jpg      the picture, with 8 bits
 ///     data/shaders/planet.frag  draws the Moon as its texture is, and other bodies lit by the Sun
 ///     scripts/startup.ssc       instant, place and view
 ///
-/// Each file appears whole or not at all; others in the folder stay, Stellarium's own among them. A folder
-/// that was not there is not there either when it cannot be written.
+/// Each file appears whole or not at all; other files in the folder stay, including Stellarium's own. If writing
+/// fails, a folder that did not exist before is removed again.
 ///
 /// Given     developed   display-referred: sRGB-coded, 0 to 1, grey or RGB; plate carrée, longitude 0 in
 ///                       the middle, north up, 2:1
-///           attributes  written into the picture as text, "coppermoon:recipe" among them
+///           attributes  written into the picture as text, including "coppermoon:recipe"
 /// Accuracy  the instant to half a second
-/// Omits     rings' and satellites' shadows on other planets, their polar caps
+/// Omits     other planets' polar caps, and shadows of rings and satellites on them
 /// Throws    Error       as write_png, require_stellarium_place; a folder that cannot be made
 /// Source    Stellarium 0.22.2 (Debian 12): data/shaders/planet.vert, data/ssystem_major.ini, its
 ///           scripting engine

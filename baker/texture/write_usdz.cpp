@@ -24,7 +24,7 @@ void append(std::string& bytes, Number number) {
   bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
-/// ZIP archive of files that are stored as they are, each from a multiple of 64 bytes on.
+/// A ZIP archive of uncompressed files, each starting at a multiple of 64 bytes.
 class Archive {
  public:
   void add(const std::string& name, const std::string& content) {
@@ -37,7 +37,7 @@ class Archive {
     bytes_ += shared;
     append<std::uint16_t>(bytes_, extra_head + padding);
     bytes_ += name;
-    append<std::uint16_t>(bytes_, 0x1986);  // a field of padding, as USD's own writer names it
+    append<std::uint16_t>(bytes_, 0x1986);  // padding field, with the name USD's writer uses
     append<std::uint16_t>(bytes_, padding);
     bytes_.append(padding, '\0');
     bytes_ += content;
@@ -69,7 +69,7 @@ class Archive {
  private:
   static constexpr std::uint16_t version = 10, first_day_of_zip = 0x0021;  // 1980-01-01
 
-  /// Facts that a file's head and its entry in the directory share, to the length of its name.
+  /// The fields that a file's header and its directory entry share, up to the length of the file's name.
   static std::string facts_of(const std::string& name, const std::string& content) {
     const auto size = static_cast<std::uint32_t>(content.size());
     const auto sum = ::crc32_z(0, reinterpret_cast<const Bytef*>(content.data()), content.size());

@@ -64,13 +64,13 @@ void describe(Field&& is, const Crossing& crossing) {
   describe_times(is, crossing.times);
 }
 
-/// Eclipse of a list, with what else is asked for.
+/// An eclipse in the list, with whatever else is asked for.
 struct Listed {
   eclipse::Eclipse eclipse;
   std::optional<uses::MoonBrightness> brightness{};  ///< at greatest eclipse
   std::optional<Crossing> feature{};
   std::optional<uses::Circumstances> night{};  ///< at the observer's place
-  std::optional<std::string> seen{};           ///< first and last contact that is seen
+  std::optional<std::string> seen{};           ///< first and last contact seen there
 };
 
 template <class Field>
@@ -81,10 +81,7 @@ void describe_seen(Field&& is, const Listed& listed) {
 
 template <class Field>
 void describe_brightness(Field&& is, const Listed& listed) {
-  const auto of_light = [&](auto value) {
-    return algebra::if_any(listed.brightness ? std::optional(value(*listed.brightness))
-                                             : std::nullopt);
-  };
+  const auto of_light = [&](auto value) { return algebra::of_any(listed.brightness, value); };
   using Light = uses::MoonBrightness;
   is("V_magnitude",
      of_light([](const Light& light) { return light.disc.magnitudes[uses::V_band]; }),
@@ -103,7 +100,7 @@ void describe(Field&& is, const Listed& listed) {
   is("feature", listed.feature, "when the umbra's edge crosses the feature, with --feature");
 }
 
-/// Eclipse as a row of a table, where every row has each column.
+/// An eclipse as a row of a table in which every row has all columns.
 struct Row {
   Listed listed;
 };
@@ -119,20 +116,20 @@ void describe(Field&& is, const Row& row) {
   if (brightness) describe_brightness(is, row.listed);
 }
 
-/// Eclipses of some years: what the command prints.
+/// The eclipses that the command prints.
 struct EclipseList {
   std::vector<Listed> eclipses;
   almanac::Calendar calendar;
   std::optional<almanac::SelenographicPoint> feature;
   std::optional<almanac::Observer> observer;
-  std::string at;  ///< the observer's place, as it was given
+  std::string at;  ///< the observer's place, as the user gave it
 };
 
 std::string time_of_day(const std::optional<almanac::Instant>& when) {
   return when ? almanac::time_of_day_text(*when) : "-";
 }
 
-/// Default span: from today to ten years later.
+/// Today's date some years later, as text; the default span is from today to ten years later.
 std::string today(int years_later, almanac::Calendar calendar) {
   const auto now = std::chrono::year_month_day(
       std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));
@@ -173,13 +170,13 @@ void print(const Listed& listed, std::size_t width) {
 }
 
 void print(const EclipseList& list, bool brightness) {
-  std::size_t width = 21;  // of a year without a sign, and a space
+  std::size_t width = 21;  // for a year without a sign, and a space
   for (const auto& each : list.eclipses) width = std::max(width, greatest(each).size() + 1);
   print_heading(list, brightness, width);
   for (const auto& each : list.eclipses) print(each, width);
 }
 
-/// First and last moment of a list.
+/// First and last moment of the time that the list covers.
 std::pair<std::string, std::string> span_of(const Options& options) {
   if (options.year) {
     algebra::require_within("year", *options.year, -1999, 3000);

@@ -104,7 +104,7 @@ void write_job(const Verb& verb, const uses::Film& film, const uses::Shard& shar
   files::write_whole(file, film_job(verb, film, file));
 }
 
-/// Says on stderr how many Moons a tripod's picture leaves out, and what holds them.
+/// Says on stderr how many Moons the picture of a fixed camera cuts off or misses, and which aim and field hold all.
 void say_which_are_outside(const uses::Film& film) {
   if (!film.view.aim || !film.products.framed()) return;
   const auto view = fixed_view(film);
@@ -118,7 +118,7 @@ void say_which_are_outside(const uses::Film& film) {
                       : "no picture holds all");
 }
 
-/// Says on stderr that the Moon cannot be seen in the twilight of the first frame or of the last, and when it can.
+/// Says on stderr if the Moon cannot be seen in the twilight of the first or last frame, and when it can.
 void say_when_seen(const uses::Film& film) {
   const auto& place = film.view.observer;
   if (!place || film.view.sky_cd_m2 || !film.products.framed()) return;
@@ -131,7 +131,7 @@ void say_when_seen(const uses::Film& film) {
   }
 }
 
-/// Lists the files that this run would write; those of every frame where the light is not there.
+/// Lists the files that this run would write, including those of every frame if the light is not available yet.
 void list(uses::Film film, const std::vector<std::size_t>& frames, const uses::FilmFiles& files,
           bool replace, FilmProgress& progress) {
   if (!replace && std::filesystem::is_directory(film.folder)) require_own(film, false);

@@ -35,7 +35,7 @@ double days_since(std::filesystem::file_time_type then) {
   return std::chrono::duration<double, std::ratio<86400>>(past).count();
 }
 
-/// Moment of a texture in UTC, by its header's DateTime ("2018:07:27 19:40:17"); empty where it cannot be read.
+/// Moment of a texture in UTC, from DateTime in its header ("2018:07:27 19:40:17"); empty if it cannot be read.
 std::string moment_of(const KeptFile& file) {
   try {
     auto text = texture::read_attribute(file.path, "DateTime").value_or("");
@@ -48,7 +48,7 @@ std::string moment_of(const KeptFile& file) {
   }
 }
 
-/// Texture that is kept, or was removed.
+/// A texture that is kept or was removed.
 struct Texture {
   KeptFile file;
   bool stays = true;
@@ -70,11 +70,11 @@ void describe(Field&& is, const Texture& texture) {
      "its moment, UTC; empty where its header has none");
 }
 
-/// Folder of kept textures, with those in it or those removed from it.
+/// The cache folder, with the textures in it or those removed from it.
 struct Folder {
   std::string path;
   std::vector<Texture> textures;
-  std::optional<double> limit_bytes;  ///< none where some were removed
+  std::optional<double> limit_bytes;  ///< absent after a removal
 
   double bytes() const {
     double sum = 0;

@@ -8,8 +8,8 @@
 
 namespace coppermoon::verbs {
 
-/// Each adds one command to the program: its parameters, and what runs once they have their values, which throws
-/// algebra::Error when it cannot be done, WrongUsage when the usage is wrong.
+/// Each of these functions adds one command to the program: its parameters, and the function that runs once they have
+/// their values. That function throws algebra::Error if it fails, and WrongUsage if the usage is wrong.
 void add_almanac(Program& program);
 void add_sky(Program& program);
 void add_night(Program& program);
@@ -35,28 +35,28 @@ void add_cache(Program& program);
 /// Adds all commands.
 void add_verbs(Program& program);
 
-/// What a command line asks for: a command, or a text, as help.
+/// What a command line asks for: a command to run, or a text to print, such as help.
 struct Asked {
   Verb* verb = nullptr;
-  std::string text{};  ///< to be printed in place of a run; empty: none
+  std::string text{};  ///< printed instead of running the command, unless empty
 };
 
-/// Command that a line asks for, its parameters with the line's values. Those that a recipe has are taken first, of the
-/// file of --recipe, or of coppermoon's own in the instant's place.
+/// Command that a command line asks for, with its parameters set. Values from a recipe are taken first: from the file
+/// that --recipe names, or from a file made by coppermoon that stands in the place of the instant.
 ///
-/// Given   words  without the program's name
-/// Throws  WrongUsage      for a command, an option or a value there is not: names the nearest there is; for an
-///                         argument that is not UTF-8, which neither a recipe nor JSON could hold
-///         algebra::Error  for a value that is not allowed; when a recipe cannot be read
+/// Given   words  the command line without the program's name
+/// Throws  WrongUsage      for an unknown command, option or word: names the nearest known one; for an argument that
+///                         is not UTF-8, which neither a recipe nor JSON could hold
+///         algebra::Error  for a value that is not allowed; if a recipe cannot be read
 Asked asked_by(Program& program, std::vector<std::string> words);
 
-/// Gives a command the values of its line, which begins behind the command's name.
+/// Sets a command's parameters from the words that follow its name on the command line.
 ///
 /// Throws  as asked_by
 void take(Verb& verb, const std::vector<std::string>& words);
 
-/// Runs a command whose parameters have their values, when its files are known to be apart (require_files_apart); says
-/// on stderr what is meant where something is not clear.
+/// Runs a command whose parameters have their values, after checking that its files are distinct
+/// (require_files_apart). Says on stderr how it understands values that are ambiguous.
 void run(Verb& verb);
 
 }  // namespace coppermoon::verbs

@@ -39,17 +39,17 @@ namespace {
 struct Options {
   std::string photo, render, output, recipe_in;
   texture::Coding coding = texture::Coding::as_file_says;
-  std::string exposure;  ///< exif or fit; empty: exif where there is a header
+  std::string exposure;  ///< exif or fit; empty: exif if the header has it
   std::size_t bins = 12;
   std::optional<std::string> response;
   bool json = false, csv = false;
 };
 
-/// Flags of a still that give its moment, observer and camera.
+/// Options of a still that give its moment, observer and camera.
 struct StillFlags {
   MoonOptions moon;
   uses::ViewRequest view;
-  uses::CameraRequest camera;  ///< whose focal length and sensor the view has
+  uses::CameraRequest camera;  ///< gives the view its focal length and sensor
 };
 
 StillFlags still_flags_of(const std::string& file) {
@@ -64,14 +64,14 @@ StillFlags still_flags_of(const std::string& file) {
   return flags;
 }
 
-/// Sky and camera of a frame, and the glow of the camera that takes its picture.
+/// Sky and camera of a frame, and the glow that the camera adds around bright parts of a picture.
 struct FrameGeometry {
   almanac::SkyState sky;
   povray_scenes::SceneCamera camera;
   double glow = 0;
 };
 
-/// Geometry by the recipe in the header of a frame or of its scene's texture.
+/// Geometry from the recipe in the header of a frame or of its scene's texture.
 FrameGeometry geometry_of(const std::string& file) {
   if (!holds_recipe(file))
     throw algebra::Error(
@@ -83,7 +83,7 @@ FrameGeometry geometry_of(const std::string& file) {
   return {sky, uses::view_for_frame(view, sky).view.camera, camera ? camera->glow : 0};
 }
 
-/// Light of a render, converted to linear Rec.709 from its header's space.
+/// Light of a render, converted to linear Rec.709 from the colour space in its header.
 texture::Image light_of(const std::string& render) {
   const auto name = texture::read_attribute(render, "coppermoon:colour_space");
   const auto space = name ? colour::working_space(*name) : uses::picture_space;
@@ -102,7 +102,7 @@ texture::Image read_render(const Options& options, const povray_scenes::SceneCam
   return render;
 }
 
-/// Place of the render in the photograph.
+/// Where the render lies in the photograph.
 struct Placed {
   colour::Registration registration;
 };
@@ -120,7 +120,7 @@ void describe(Field&& is, const Placed& placed) {
   is("correlation", placed.registration.correlation, "correlation of markings, -1 to 1");
 }
 
-/// Exposure of the photograph.
+/// How the photograph was exposed.
 struct Exposed {
   std::optional<colour::Exposure> exif;
   double used = 1, fitted = 1;
@@ -158,11 +158,11 @@ const char* name(texture::Coding coding) {
   }
 }
 
-/// Comparison, and how the photograph was read.
+/// The comparison, and how the photograph was read.
 struct Found {
   almanac::Instant when;
   std::optional<colour::Exposure> exif;
-  texture::Coding coding = texture::Coding::as_file_says;  ///< by which the photograph was read
+  texture::Coding coding = texture::Coding::as_file_says;  ///< with which the photograph was read
   uses::Comparison comparison;
 
   Exposed exposed() const { return {exif, comparison.exposure, comparison.fitted_exposure}; }
@@ -182,7 +182,7 @@ void describe(Field&& is, const Coded& coded) {
      "principal components of its camera's tone curve, in standard deviations over cameras");
 }
 
-/// A comparison, and the files that it is of.
+/// A comparison, and the files compared.
 struct Document {
   std::string photo, render, sheet;
   Found found;
@@ -209,7 +209,7 @@ void describe(Field&& is, const Document& all) {
      "the sheet that was made");
 }
 
-/// Coding of the photograph in words.
+/// How the photograph was decoded, in words.
 std::string coding_in_words(const Found& found) {
   switch (found.coding) {
     case texture::Coding::camera:
@@ -267,8 +267,8 @@ void require_sound(const Options& options) {
   files::require_place_for(options.output);
 }
 
-/// Exposure by the header; nothing where it is to be fitted, as with a camera's own tone curve, which leaves a factor
-/// free.
+/// Exposure from the header; nothing if the exposure is to be fitted. With a camera's own tone curve it is fitted by
+/// default, as the curve leaves a factor free.
 std::optional<colour::Exposure> exif_to_use(const Options& options, texture::Coding coding) {
   if (options.exposure == "fit") return std::nullopt;
   if (coding == texture::Coding::camera && options.exposure.empty()) return std::nullopt;

@@ -35,7 +35,7 @@ struct Options {
   bool json = false;
 };
 
-/// Colour space of a frame: of --space, its header or its name, in that order; else linear Rec.709.
+/// Colour space of a frame, from --space, its header or its name, in that order; else linear Rec.709.
 colour::WorkingSpace space_of(const Options& options, const std::string& frame) {
   if (!options.space.empty()) return colour::working_space(options.space);
   if (const auto name = texture::read_attribute(frame, "coppermoon:colour_space"))
@@ -53,7 +53,7 @@ texture::Image light_of(const Options& options, const std::string& frame,
   return texture::read_channels(frame, {"R", "G", "B"});
 }
 
-/// Frame, the file of its picture, and what its header says.
+/// A frame, the file for its picture, and what its header says.
 struct Job {
   std::string frame;
   fs::path picture;
@@ -61,7 +61,7 @@ struct Job {
   uses::SeenFrame seen;
 };
 
-/// Frame that was read, with the sky that is added to it.
+/// A frame as read, with the light of the sky added.
 struct Read {
   texture::Image light;
   uses::SeenFrame seen;
@@ -81,7 +81,7 @@ Read read_frame(const Options& options, const Job& job) {
   return read;
 }
 
-/// Jobs: one frame gets the name of --output, several get their own names in that folder.
+/// One job per frame. A single frame gets the name in --output; several get their own names in that folder.
 std::vector<Job> jobs_of(const Options& options) {
   std::vector<Job> jobs;
   const bool folder = options.frames.size() > 1 || !fs::path(options.output).has_filename() ||
@@ -103,7 +103,7 @@ std::vector<Job> jobs_of(const Options& options) {
   return jobs;
 }
 
-/// Makes the folder of the pictures where it is missing.
+/// Makes the folder for the pictures if it is missing.
 void require_place(const Options& options, const std::vector<Job>& jobs) {
   const fs::path output = options.output;
   const auto& camera = options.develop.camera;
@@ -130,7 +130,7 @@ void require_place(const Options& options, const std::vector<Job>& jobs) {
   }
 }
 
-/// Exposure that all frames share, by its rule.
+/// The exposure that all frames share.
 uses::Exposures shared_exposures(const Options& options, const std::vector<Job>& jobs) {
   if (jobs.size() == 1) {
     const auto [light, seen] = read_frame(options, jobs.front());
@@ -145,7 +145,7 @@ uses::Exposures shared_exposures(const Options& options, const std::vector<Job>&
   return shared.exposures();
 }
 
-/// The same, with whether it is a camera's.
+/// The exposure that all frames share, and whether it is that of a camera.
 uses::Exposures exposures_of(const Options& options, const std::vector<Job>& jobs) {
   auto exposures = shared_exposures(options, jobs);
   exposures.a_cameras = std::ranges::all_of(
@@ -153,7 +153,7 @@ uses::Exposures exposures_of(const Options& options, const std::vector<Job>& job
   return exposures;
 }
 
-/// Luminances that become white [cd/m²]: of the exposure, and of the longer one.
+/// Luminance that becomes white [cd/m²], for the exposure and for the longer one if there is one.
 std::vector<double> whites_of(const Options& options, uses::Exposures exposures) {
   std::vector<double> whites{1 / scale_of(options.develop, exposures.shorter)};
   if (!exposures.longer_s) return whites;
@@ -180,7 +180,7 @@ void develop(const Options& options, const Job& job, const uses::Exposures& expo
                 job.picture);
 }
 
-/// Pictures that were made, and how they were exposed.
+/// The pictures that were made, and how they were exposed.
 struct Developed {
   std::vector<std::string> files;
   std::string_view space;
@@ -193,7 +193,7 @@ void describe(Field&& is, const Developed& made) {
   namespace unit = algebra::unit;
   const auto& [exposure, longer_s, a_cameras] = made.exposures;
   const auto of_camera = [&](double value) {
-    return algebra::if_any(a_cameras ? std::optional(value) : std::nullopt);
+    return algebra::if_any(made.exposures.a_cameras ? std::optional(value) : std::nullopt);
   };
   is.a("Developed", "Pictures that were made, and how they were exposed.");
   describe_files(is, made.files);

@@ -29,15 +29,15 @@ namespace {
 struct Options {
   std::vector<std::string> photos, outputs;
   std::string instants, times, isos, magnitudes;
-  std::string zone;  ///< of the cameras' clocks; empty: by the headers, else unknown
+  std::string zone;  ///< of the cameras' clocks; empty: as the headers say, else unknown
   std::optional<double> clock_error_min;
   texture::Coding coding = texture::Coding::as_file_says;
   std::optional<double> f_number;
-  uses::FitRequest request;  ///< without photographs and magnitudes
+  uses::FitRequest request;  ///< all but photographs and magnitudes
   bool despite_misfit = false, misfits = false, json = false;
 };
 
-/// Value for the i-th photograph, of a list with one for each or one for all; nothing of an empty list.
+/// Value for the i-th photograph, from a list with one value for each or one for all; nothing if the list is empty.
 template <class Value>
 std::optional<Value> value_for(const Options& options, const std::vector<Value>& values,
                                std::size_t i, const char* what) {
@@ -49,7 +49,7 @@ std::optional<Value> value_for(const Options& options, const std::vector<Value>&
   return values[values.size() == 1 ? 0 : i];
 }
 
-/// The same from a text of numbers with commas.
+/// Number for the i-th photograph, from a text that lists numbers with commas.
 std::optional<double> number_for(const Options& options, const std::string& list, std::size_t i,
                                  const char* what) {
   const auto numbers = algebra::numbers_in(list);
@@ -58,22 +58,22 @@ std::optional<double> number_for(const Options& options, const std::string& list
   return value_for(options, *numbers, i, what);
 }
 
-/// Request of the fit, and what of it the command line alone knows.
+/// Request for the fit, and what only the command line knows about it.
 struct Input {
   uses::FitRequest request;
   std::vector<std::string> instants;
-  std::vector<std::string> zones{};  ///< [photograph] of the clocks, empty: unknown; or none
-  std::vector<uses::ReadPhotograph> undated{};  ///< left out, for their headers have no date
+  std::vector<std::string> zones{};  ///< [photograph] clock's zone, "" if unknown; may be empty
+  std::vector<uses::ReadPhotograph> undated{};  ///< left out because their headers have no date
 };
 
 constexpr const char* from_header = "from-header";
 
-/// Zone of a camera's clock by the option, else by the header; empty: unknown.
+/// Time zone of a camera's clock as the option says, else as the header says; empty if unknown.
 std::string zone_of(const uses::HeaderClock& clock, const Options& options) {
   return options.zone.empty() ? clock.offset.value_or("") : options.zone;
 }
 
-/// Instant in UTC by a camera's clock, in its zone, else the place's; without any, the clock's reading passes for UTC.
+/// Instant in UTC by a camera's clock, whose zone is the clock's own, else that of the place, else UTC.
 std::string instant_by(const uses::HeaderClock& clock, const Options& options) {
   const auto zone = zone_of(clock, options);
   if (zone.starts_with('+') || zone.starts_with('-')) return clock.local + zone;
@@ -95,7 +95,7 @@ void add_photograph(const Options& options, std::size_t i, const std::string& in
   input.instants.push_back(instant);
 }
 
-/// Says that a header's offset from UTC is none, where it would count.
+/// Warns that a header's offset from UTC cannot be read, if it would have been used.
 void warn_of_offset(const Options& options, const std::string& photo,
                     const uses::HeaderClock& clock) {
   if (options.zone.empty() && !clock.unread.empty())
@@ -105,7 +105,7 @@ void warn_of_offset(const Options& options, const std::string& photo,
                one_line(photo), one_line(clock.unread));
 }
 
-/// Adds photographs by their headers' clocks; photographs without a date are left out while there are others.
+/// Adds photographs taken at the times in their headers. Leaves out those without a date, unless no other is left.
 void add_by_headers(const Options& options, Input& input) {
   for (std::size_t i = 0; i < options.photos.size(); ++i) {
     std::optional<uses::HeaderClock> clock;
@@ -147,7 +147,7 @@ Input input_of(const Options& options) {
   return input;
 }
 
-/// Adds what the command line knows: moments as they were told, zones of the clocks, photographs without a date.
+/// Adds what only the command line knows: moments as given, time zones of the clocks, photographs without a date.
 void add_told(const Input& input, uses::FitReport& found) {
   for (std::size_t i = 0; i < input.instants.size(); ++i)
     found.photographs[i].instant = input.instants[i];

@@ -23,7 +23,7 @@ struct Options {
   bool json = false;
 };
 
-/// Photograph that was made of others.
+/// A photograph that was merged from others.
 struct Merged {
   std::string file;
   std::size_t photographs = 0;

@@ -34,21 +34,21 @@ namespace of_night {
 namespace {
 
 struct Options {
-  FilmOptions film;  ///< eclipse and calendar alone
+  FilmOptions film;  ///< only the eclipse and the calendar
   MoonOptions moon;
   uses::ViewRequest view;
   uses::Development develop;
-  std::string place, zone;  ///< of the local times; empty: the zone of the place
+  std::string place, zone;  ///< zone for local times; empty: that of the place
   std::vector<std::string> outputs;
   bool danjon = true, json = false, csv = false;
 };
 
-/// Night of an eclipse at one place: what the command prints.
+/// What the command prints about the night of an eclipse at one place.
 struct NightReport {
   uses::NightLights lights;
-  almanac::City city;       ///< the place, or the nearest one
-  bool own_clocks = false;  ///< the place is that city
-  std::string zone;         ///< time zone of the local times
+  almanac::City city;       ///< the place, or the city nearest to it
+  bool own_clocks = false;  ///< whether the place is that city
+  std::string zone;         ///< time zone for local times
 
   const uses::Circumstances& circumstances() const { return lights.night; }
 };
@@ -78,7 +78,7 @@ std::string camera_text(double seconds) {
   return time > 30 ? duration(time) : fmt::format("{:g}", time);
 }
 
-/// Exposure time as cameras mark it, and that of a brighter and a darker Moon: "2 s (1.6 to 2.5)".
+/// Exposure time as cameras mark it, with those for a brighter and a darker Moon: "2 s (1.6 to 2.5)".
 std::string exposure_text(const std::optional<uses::PartExposure>& part) {
   if (!part) return "-";
   const auto time = camera_text(part->time_s), least = camera_text(part->least_s),
@@ -87,7 +87,7 @@ std::string exposure_text(const std::optional<uses::PartExposure>& part) {
          (least == most ? "" : fmt::format(" ({} to {})", least, most));
 }
 
-/// What limits the times of a phase, as for a reader.
+/// What limits the exposure times in a phase, in words.
 std::string limit_text(const uses::PhaseExposure& phase) {
   std::vector<std::string> limits;
   if (phase.too_dark) limits.emplace_back("too dark");
@@ -121,7 +121,7 @@ void print_moments(const NightReport& night) {
   }
 }
 
-/// Phases of an eclipse and how long they last [s], then how long it is seen.
+/// Phases of an eclipse and how long they last [s], then how long the eclipse is seen.
 algebra::ByName<double> durations(const uses::Circumstances& night) {
   const auto& c = night.eclipse.contacts;
   algebra::ByName<double> all;
@@ -187,35 +187,34 @@ void print(const NightReport& night) {
   print_exposures(night);
 }
 
-/// Moment of a night as documents have it.
+/// A moment of the night as JSON and CSV show it.
 struct MomentRow {
   uses::NightMoment moment;
   uses::LocalTime local;
   almanac::Calendar calendar = almanac::Calendar::gregorian;
   bool seen = false;
-  std::optional<uses::NightLight> light;  ///< none of a moonrise or moonset
+  std::optional<uses::NightLight> light;  ///< absent for moonrise and moonset
 };
 
 template <class Field>
 void describe(Field&& is, const MomentRow& row) {
   namespace unit = algebra::unit;
-  const auto& [moment, local, calendar, seen, light] = row;
-  const auto of_light = [&](auto value) {
-    return algebra::if_any(light ? std::optional(value(*light)) : std::nullopt);
-  };
+  const auto& moment = row.moment;
+  const auto& local = row.local;
+  const auto of_light = [&](auto value) { return algebra::of_any(row.light, value); };
   using Light = uses::NightLight;
   is.a("Moment", "A contact, moonrise or moonset, the greatest phase, or the first or last seen.");
   is("name", moment.name, "its name");
   is("utc", moment.when, "the moment, UTC");
   is(
-      "local", [&] { return almanac::date_in(calendar, local.date) + "T" + local.time; },
+      "local", [&] { return almanac::date_in(row.calendar, local.date) + "T" + local.time; },
       "the same on local clocks");
   is("zone", local.abbreviation, "abbreviation of their time zone");
   is("altitude_deg", moment.moon.altitude, unit::degrees, "altitude of the Moon, with refraction");
   is("azimuth_deg", moment.moon.azimuth, unit::degrees,
      "azimuth of the Moon, from north through east");
   is("up", moment.up, "whether some of the Moon is above the horizon");
-  is("seen", seen, "whether the Moon stands out from its sky");
+  is("seen", row.seen, "whether the Moon stands out from its sky");
   is("sun_altitude_deg", moment.sun_altitude, unit::degrees,
      "altitude of the Sun, without refraction");
   is("twilight", uses::twilight_name(moment.sun_altitude), "light of the sky by that altitude");
@@ -312,7 +311,7 @@ NightReport night_of(const Options& options) {
     uses::require_in_calendars({night.circumstances()}, place_name(night));
   if (night.zone.empty() || night.zone == "local")
     night.zone = named ? named->time_zone : uses::time_zone_of(*options.view.observer);
-  uses::local_time(eclipse.greatest, night.zone);  // refuses what is no zone
+  uses::local_time(eclipse.greatest, night.zone);  // throws for an unknown time zone
   ProgressBar bar("light");
   auto development = options.develop;
   development.focal_length_mm = seen_through(development.camera, options.view).focal_length_mm;

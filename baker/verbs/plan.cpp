@@ -24,14 +24,14 @@ struct Options {
   bool json = false;
 };
 
-/// Whether a picture is planned: any parameter of the view is given.
+/// Whether to plan a picture: yes if any parameter of the view is given.
 bool of_a_picture(const Verb& verb) {
   for (const auto* flag : {"at", "width", "height", "field", "focal-length", "sensor-width"})
     if (is_given(verb, flag)) return true;
   return false;
 }
 
-/// Plan, and the sizes that it is made for.
+/// A plan, and the sizes for which it is made.
 struct Planned {
   plan::Plan plan;
   std::size_t texture_width = 0;
@@ -59,7 +59,7 @@ Planned planned(const Options& options, bool picture) {
   return result;
 }
 
-/// Plan, and the recipe by which it is carried out.
+/// A plan, and the recipe that carries it out.
 struct Document {
   std::string recipe;
   Planned planned;

@@ -27,7 +27,7 @@ struct Options {
   std::string output;
   std::optional<almanac::SelenographicPoint> on;
   double scale = 1;
-  uses::LightRequest light;  ///< air alone
+  uses::LightRequest light;  ///< only the air
   bool json = false;
 };
 

@@ -30,14 +30,14 @@ const request::Words<colour::WorkingSpace> spaces{
     {"lin_ciexyzd65_scene", colour::WorkingSpace::ciexyz_d65}};
 
 struct Options {
-  MomentOptions moment;  ///< a day: of its whole eclipse
+  MomentOptions moment;  ///< a day stands for its whole eclipse
   std::string output;
   LightOptions light;
   uses::ShaderRequest request;
   bool json = false;
 };
 
-/// Folder of shaders.
+/// The folder of shaders that was made.
 struct Made {
   std::string folder;
   std::vector<std::string> files;

@@ -40,10 +40,10 @@ void describe(Field&& is, const Star& star) {
   is("illuminance_lux", star.illuminance_lux, unit::illuminance, "illuminance, in linear Rec.709");
 }
 
-/// Sky of a moment, and the stars that are asked for.
+/// The sky at a moment, and the stars that are asked for.
 struct Document {
   eclipse::SeenSky sky;
-  std::optional<algebra::Angle> latitude;  ///< of the observer, where stars are asked for
+  std::optional<algebra::Angle> latitude;  ///< of the observer, if stars are asked for
   std::vector<Star> stars;
 };
 

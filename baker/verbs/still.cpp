@@ -47,7 +47,7 @@ void require_sound(const Options& options) {
     if (!file.empty()) files::require_place_for(file);
 }
 
-/// Colour space of the frame: as its name says, or as asked for.
+/// Colour space for the frame: as its name says, or as asked for.
 colour::WorkingSpace frame_space(const Verb& verb, const Options& options) {
   if (is_given(verb, "space")) return *space_for(options.frame, options.space);
   const auto space = space_for(options.frame, {}).value_or(options.space);
@@ -55,13 +55,13 @@ colour::WorkingSpace frame_space(const Verb& verb, const Options& options) {
   return space;
 }
 
-/// Says on stderr that the Moon cannot be seen in its sky, and from when it can.
+/// Says on stderr if the Moon cannot be seen against its sky, and from when it can.
 void say_unless_seen(const uses::LitScene& scene, const Options& options) {
   const auto& when = scene.moon.sky.when;
   const auto eclipse = eclipse::nearest_eclipse(when, eclipse::ShadowConvention::danjon);
   if (!scene.view.observer || options.view.sky_cd_m2) return;
   auto moon = options.moon.request;
-  moon.light.wish.tolerance = 0.05;  // of the light; the eye's threshold is known to some tenths
+  moon.light.wish.tolerance = 0.05;  // enough, as the eye's threshold is uncertain by some tenths
   const uses::EclipseLight light(eclipse, moon);
   const auto night = uses::as_seen(
       uses::circumstances(eclipse, *scene.view.observer),

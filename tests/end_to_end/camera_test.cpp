@@ -170,9 +170,9 @@ TEST_F(CameraTest, IsATableOfARecipe) {
             "coppermoon: aperture, sensor, noise and files of a camera need a camera: paper, "
             "400mm, schmidt-cassegrain, refractor\n");
   EXPECT_EQ(refusal("[camera]\nmodel = \"paper\"\nread-noise = -1\n"),
-            "coppermoon: read noise [electrons] = -1, allowed 0 to 10000\n");
+            "coppermoon: wrong.toml:11: read noise [electrons] = -1, allowed 0 to 10000\n");
   EXPECT_EQ(refusal("sky = \"bright\"\n"),
-            "coppermoon: sky [mag/arcsec2] = bright, allowed auto, off or 0 to 30\n");
+            "coppermoon: wrong.toml:9: sky [mag/arcsec2] = bright, allowed auto, off or 0 to 30\n");
 }
 
 TEST_F(CameraTest, DevelopsAFrameAsStillDoes) {

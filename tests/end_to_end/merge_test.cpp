@@ -71,9 +71,9 @@ TEST_F(Merge, RefusesPhotographsOfOtherScenes) {
   photograph("b.exr", {{"coppermoon:recipe", other}});
   expect_refused("b.exr: its recipe has cloud-cover = 0.5, allowed 0.3 as a.exr");
   photograph("b.exr", {{"coppermoon:recipe", recipe + "field = 2.0\n"}});
-  expect_refused("b.exr: its recipe has field = 2.0, allowed none as a.exr");
+  expect_refused("b.exr: its recipe has field = 2, allowed none as a.exr");
   photograph("b.exr", {{"coppermoon:recipe", recipe + "\n[atmosphere]\nmodel = \"paper\"\n"}});
-  expect_refused("b.exr: its recipe has atmosphere = \"paper\", allowed none as a.exr");
+  expect_refused("b.exr: its recipe has atmosphere = 'paper', allowed none as a.exr");
 }
 
 TEST_F(Merge, RefusesPhotographsOfOtherMeaning) {

@@ -24,12 +24,12 @@ QUALITY = 92  # of the package's JPEG
 
 
 def albedo_of(codes):
-    """Normal albedo, up to a factor, as surface::kit_2019_albedo."""
+    """Normal albedo, up to a factor, as in surface::kit_2019_albedo."""
     return (0.16 + 0.24 * codes) ** (2.8 / 1.56)
 
 
 def read(path):
-    """Normal albedo of the kit's map, rows x columns."""
+    """Normal albedo from the kit's map, rows x columns."""
     return albedo_of(oiio.ImageBuf(path).get_pixels(oiio.FLOAT).astype(float) @ [0.2126, 0.7152, 0.0722])
 
 
@@ -43,7 +43,7 @@ def with_polar_contrast(albedo):
 
 
 def store(albedo, path):
-    """Writes codes of an albedo; returns the albedo that is read back."""
+    """Writes an albedo as codes; returns the albedo read back from the file."""
     codes = numpy.clip((albedo ** (1.56 / 2.8) - 0.16) / 0.24, 0, 1)
     image = oiio.ImageBuf(oiio.ImageSpec(albedo.shape[1], albedo.shape[0], 1, oiio.UINT8))
     image.specmod().attribute("Compression", f"jpeg:{QUALITY}")

@@ -9,27 +9,27 @@
 
 namespace coppermoon::texture {
 
-/// Colours of light as a file means them, by which its numbers become linear Rec. 709. Of an ICC profile,
-/// or of primaries and a curve.
+/// What a file's numbers mean as colours, by which they become linear Rec. 709; made from an ICC profile,
+/// or from primaries and a curve.
 class ColourProfile {
  public:
-  /// An ICC profile, of grey for one channel, of red, green and blue for three. Nothing where it is
-  /// sRGB's own, to a part in two hundred of full light.
+  /// From an ICC profile, for grey if there is one channel, for red, green and blue if there are three. Nothing if it
+  /// agrees with sRGB to within 1/200 of full light.
   ///
-  /// Throws  Error  when it is broken, or of other channels: names it
+  /// Throws  Error  when the profile is broken or for other channels; names it
   static std::optional<ColourProfile> of_icc(std::string_view bytes, std::size_t channels);
 
-  /// Red, green, blue and white as x and y; light is a power of the numbers, or by sRGB's curve. Nothing
-  /// where they are Rec. 709's, to a two-hundredth.
+  /// From x and y of red, green, blue and white; light is a power of the numbers or, if `power` is absent, follows
+  /// sRGB's curve. Nothing if they are those of Rec. 709, to within 1/200.
   ///
-  /// Throws  Error  when no light has such primaries
+  /// Throws  Error  when the primaries are impossible
   static std::optional<ColourProfile> of_primaries(const std::array<double, 8>& xy,
                                                    std::optional<double> power);
 
-  /// Profile of Adobe RGB (1998).
+  /// The profile for Adobe RGB (1998).
   static ColourProfile adobe_rgb();
 
-  /// Linear Rec. 709 of coded texels, which have one or three numbers each; thread-safe.
+  /// Converts coded texels, which have one or three numbers each, to linear Rec. 709; thread-safe.
   void light(const float* coded, float* rgb, std::size_t texels) const;
 
  private:

@@ -20,11 +20,11 @@ namespace {
 
 using algebra::Error;
 
-/// Takes the bytes OpenImageIO writes, and keeps the reason when the system refuses them.
+/// Takes the bytes that OpenImageIO writes, and keeps the reason if the system refuses them.
 class FileSink : public OIIO::Filesystem::IOProxy {
  public:
   explicit FileSink(const files::Handle& file) : IOProxy("", Write), file_(file) {}
-  /// Not "file", which OpenImageIO's writer of JPEG takes for an IOFile of its own.
+  /// Not "file", which OpenImageIO's JPEG writer takes for an IOFile of its own.
   const char* proxytype() const override { return "handle"; }
   std::size_t write(const void* bytes, std::size_t size) override {
     const auto written = pwrite(bytes, size, m_pos);
@@ -54,7 +54,7 @@ std::string one_line(std::string text) {
   return text.empty() ? "unknown reason" : text;
 }
 
-/// Closes it, and fetches its error in any case, or OpenImageIO would print it at the end.
+/// Closes an output and fetches its error in any case, or OpenImageIO would print it at exit.
 std::string closing_words(OIIO::ImageOutput& output, bool written) {
   const bool closed = output.close();
   const auto reason = output.geterror() + OIIO::geterror();
@@ -142,7 +142,7 @@ OIIO::ImageSpec exr_spec(const Layout& layout, ExrType type, const Attributes& a
   auto spec = spec_of(layout, type == ExrType::half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT,
                       attributes);
   if (!attributes.contains("capDate"))
-    spec.attribute("DateTime", "");  // or it would be the clock's
+    spec.attribute("DateTime", "");  // else it would be the current time
   spec.attribute(seal_attribute, unsealed);
   return spec;
 }
@@ -167,18 +167,18 @@ void write_encoded(const std::filesystem::path& path, const char* format,
     FileSink sink(file);
     auto output = OIIO::ImageOutput::create(format);
     if (!output) fail(one_line(OIIO::geterror()));
-    const bool reads_back = std::string_view(format) == "tiff";  // goes by the name instead
+    const bool reads_back = std::string_view(format) == "tiff";  // needs the file's name instead
     if (!reads_back) output->set_ioproxy(&sink);
     std::string reason;
     try {
       const bool written = encode(*output, files::name_of(file));
       reason = closing_words(*output, written);
     } catch (...) {
-      const Silence silence;  // libpng prints of a picture that ends early
+      const Silence silence;  // libpng prints a message if a picture ends early
       closing_words(*output, false);
       throw;
     }
-    output.reset();  // a mip-mapped file has its end from here, not from close()
+    output.reset();  // this, not close(), writes the end of a mip-mapped file
     if (sink.refusal()) reason = sink.refusal().message();
     if (!reason.empty()) fail(reason);
     if (std::string_view(format) == "openexr") seal(file, path);

@@ -12,7 +12,7 @@
 
 namespace coppermoon::texture {
 
-/// Allowed range of a file's values.
+/// Allowed range for a file's values.
 struct Limits {
   float lowest, highest;
 
@@ -25,7 +25,7 @@ struct Band {
   std::vector<float> values{};
 };
 
-/// An image to be encoded: rows are made, looked at and handed on, some at a time.
+/// An image to be encoded: rows are made, checked and handed on, a few at a time.
 struct Source {
   const std::filesystem::path& path;
   const Layout& layout;
@@ -34,13 +34,13 @@ struct Source {
 
   std::size_t row_length() const { return layout.width * layout.channels.size(); }
 
-  /// Has all rows made, in order, some multiple of 64 at a time: the next are made while `act` is
-  /// busy with some.
+  /// Has all rows made, in order, some multiple of 64 at a time. The next are made while `act` works
+  /// on the previous ones.
   ///
-  /// Throws  Error  a value outside the limits, with its place and channel
+  /// Throws  Error  when a value is outside the limits, with its place and channel
   void for_each_band(const std::function<void(const Band&)>& act) const;
 
-  /// Checks rows that are there.
+  /// Checks rows that are already made.
   ///
   /// Throws  Error  as for_each_band
   void require_all(std::span<const float> values, std::size_t first_row = 0) const;
@@ -51,29 +51,29 @@ struct Source {
   void require_values(std::size_t row, std::span<const float> values) const;
 };
 
-/// Throws  Error  when there is no texel, or a channel's name is empty or there twice
+/// Throws  Error  when there are no texels, or a channel's name is empty or appears twice
 void require_layout(const std::filesystem::path& path, const Layout& layout);
 
 /// OpenImageIO's description of an image.
 OIIO::ImageSpec spec_of(const Layout& layout, OIIO::TypeDesc type, const Attributes& attributes);
 
-/// OpenImageIO's description of an OpenEXR file, yet unsealed; without `capDate` that attribute is empty.
+/// OpenImageIO's description of an OpenEXR file, not yet sealed. If `capDate` is absent, that attribute is left empty.
 OIIO::ImageSpec exr_spec(const Layout& layout, ExrType type, const Attributes& attributes);
 
 /// Largest value that a texel of the type can hold.
 float highest_of(ExrType type);
 
-/// Hands all of an image to an output that is open.
+/// Writes all rows of an image to an open output.
 ///
-/// Returned  whether it took them
+/// Returned  whether the output accepted them
 bool write_scanlines(OIIO::ImageOutput& output, const Source& source);
 
 /// Has OpenImageIO encode a file, whole or not at all; an OpenEXR file is sealed.
 ///
-/// Given   format  as OpenImageIO calls it
-///         encode  told the output, and the name of an open file for what OpenImageIO writes by
-///                 name alone (else any name will do); opens it, and returns whether all was written
-/// Throws  Error   when the file cannot be written, and why
+/// Given   format  OpenImageIO's name for it
+///         encode  opens the output it is given and returns whether all was written; its second argument is the name
+///                 of an open file, for formats that OpenImageIO writes only by name (otherwise any name will do)
+/// Throws  Error   when the file cannot be written, with the reason
 void write_encoded(const std::filesystem::path& path, const char* format,
                    const std::function<bool(OIIO::ImageOutput&, const std::string&)>& encode);
 

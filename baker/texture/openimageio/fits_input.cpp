@@ -30,7 +30,7 @@ void require_success(int status) {
   throw Error(text.data());
 }
 
-/// CFITSIO also unpacks what is compressed, whatever room that takes: a file has to begin as FITS does.
+/// Refuses a file that does not begin like FITS: CFITSIO also unpacks compressed files, however much memory that takes.
 void require_plain(const std::string& name) {
   constexpr std::string_view sign = "SIMPLE  =";
   std::array<char, sign.size()> bytes{};
@@ -39,7 +39,7 @@ void require_plain(const std::string& name) {
     throw Error("no FITS file, which begins with SIMPLE");
 }
 
-/// Value of a card; nothing without one, or where it is of another type.
+/// A card's value; nothing if the card is absent or of another type.
 template <class Value>
 std::optional<Value> card(fitsfile* file, int type, const char* name) {
   int status = 0;
@@ -60,7 +60,7 @@ std::optional<std::string> text_in_card(fitsfile* file, const char* name) {
   return text ? std::optional<std::string>(text->data()) : std::nullopt;
 }
 
-/// Layout of an image, and the number that stands for 1.
+/// An image's layout, and the number that stands for 1.
 struct Header {
   int bitpix = 0, width = 0, height = 0, planes = 1;
   double full = 1;
@@ -99,7 +99,7 @@ Header header_of(fitsfile* file) {
   return header;
 }
 
-/// What cards say of a photograph, under the names that EXIF has for it; INSTRUME, GAIN, TIMESYS and DATAMAX have none.
+/// Adds what cards say about a photograph, under EXIF's names; INSTRUME, GAIN, TIMESYS and DATAMAX have none.
 void add_cards(fitsfile* file, OIIO::ImageSpec& spec) {
   using Named = std::pair<const char*, const char*>;
   auto date = text_in_card(file, "DATE-OBS");
@@ -127,7 +127,7 @@ class FitsInput : public OIIO::ImageInput {
   bool open(const std::string& name, OIIO::ImageSpec& spec) override try {
     require_plain(name);
     int status = 0;
-    // absolute, for CFITSIO would take a ~ at the beginning for a home; nothing else in a name means anything then
+    // an absolute path, as CFITSIO would take a leading ~ for a home folder; nothing else in it is special
     fits_open_diskfile(&file_, std::filesystem::absolute(name).c_str(), READONLY, &status);
     require_success(status);
     header_ = header_of(file_);

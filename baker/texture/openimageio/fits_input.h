@@ -7,21 +7,21 @@
 
 namespace coppermoon::texture {
 
-/// A reader of FITS images, by CFITSIO: OpenImageIO's own leaves out BZERO, BSCALE and BLANK, and shows every
-/// row one place off. A file's name is only a name, whatever CFITSIO's extended syntax would make of it.
+/// A reader for FITS images that uses CFITSIO: OpenImageIO's own ignores BZERO, BSCALE and BLANK, and shifts every
+/// row by one. A file's name is only a name, whatever CFITSIO's extended syntax would make of it.
 ///
-/// The first unit of a file, of two axes, or of three with one plane or red, green and blue; rows from
-/// the top, whichever ROWORDER says is the first. Its numbers are light:
+/// Reads a file's first unit, with two axes, or with three for one plane or red, green and blue. Rows come from
+/// the top, whichever ROWORDER says is first. The numbers are light:
 ///
-///     BZERO + BSCALE n      over the largest that the format holds where integers are counted by ones,
-///                           so that unsigned ones are 0 to 1; no number where n is BLANK
+///     BZERO + BSCALE n      for integers in steps of one, divided by the format's largest value,
+///                           so that unsigned ones are 0 to 1; not a number if n is BLANK
 ///
 /// Attributes are those of EXIF: time of exposure (EXPTIME, else EXPOSURE) [s], f-number (FOCRATIO), ISO speed
-/// (ISOSPEED), date (DATE-OBS, with TIME-OBS where it is a day alone). TIMESYS, the time scale of the date, is always
-/// there, UTC where the file does not say it; INSTRUME, GAIN and DATAMAX are as in the file. coppermoon:clipped_at is
-/// DATAMAX in the scale of the numbers that are read.
+/// (ISOSPEED), date (DATE-OBS, with TIME-OBS if it is only a day). TIMESYS, the time scale of the date, is always
+/// present, and UTC if the file does not state it; INSTRUME, GAIN and DATAMAX are as in the file. coppermoon:clipped_at
+/// is DATAMAX in the scale of the numbers that are read.
 ///
-/// Refused are compressed files, other axes, images in extensions, mosaics of a camera's filters (BAYERPAT), and files
+/// Refuses compressed files, other axes, images in extensions, mosaics of a camera's filters (BAYERPAT), and files
 /// that end early.
 /// Source  FITS Standard 4.0 (2018); TIMESYS: its section 9.2.1
 std::unique_ptr<OIIO::ImageInput> fits_input();

@@ -30,12 +30,12 @@ std::uint32_t big_endian(std::string_view bytes) {
   return value;
 }
 
-/// The beginning of a file, where its header stands.
+/// The beginning of a file, which contains its header.
 std::string beginning_of(const fs::path& path) { return files::beginning_of(path, 1 << 20); }
 
 int say_nothing(TIFF*, void*, const char*, const char*, std::va_list) { return 1; }
 
-/// A TIFF file's first page, for tags that OpenImageIO passes over.
+/// A TIFF file's first page, for tags that OpenImageIO ignores.
 class TiffTags {
  public:
   explicit TiffTags(const fs::path& path) {
@@ -51,7 +51,7 @@ class TiffTags {
     return file_ && TIFFGetField(file_.get(), tag, values...) == 1;
   }
 
-  /// Text of a tag that libtiff does not know.
+  /// Text in a tag that libtiff does not know.
   std::optional<std::string> text(std::uint32_t tag) const {
     std::uint32_t count = 0;
     const char* found = nullptr;
@@ -63,7 +63,7 @@ class TiffTags {
   std::unique_ptr<TIFF, void (*)(TIFF*)> file_{nullptr, &TIFFClose};
 };
 
-/// The offset that GDAL's metadata ask to be added to a band's numbers; 0 without.
+/// The offset that GDAL's metadata say to add to a band's numbers; 0 if absent.
 double gdal_offset(const std::string& metadata) {
   const auto role = metadata.find("role=\"offset\"");
   if (role == metadata.npos) return 0;
@@ -97,7 +97,7 @@ void require_rec709(const fs::path& path, const TiffTags& tags) {
       throw cannot_read(path, "PrimaryChromaticities, allowed those of Rec. 709");
 }
 
-/// Heeds or refuses what only a TIFF's tags say.
+/// Honours or refuses what only a TIFF's tags say.
 void heed_tiff(const fs::path& path, const OIIO::ImageSpec& spec, Storage& storage) {
   constexpr std::uint32_t dng_version = 50706, gdal_metadata = 42112, gdal_no_data = 42113;
   const int interpretation = spec.get_int_attribute("tiff:PhotometricInterpretation", 1);
@@ -143,7 +143,7 @@ void refuse_curve(const fs::path& path, unsigned transfer) {
 
 using Colours = std::optional<ColourProfile>;
 
-/// Linear space of light by its identifier in files.
+/// A linear colour space and its identifier in files.
 struct NamedSpace {
   std::string_view id;
   std::array<double, 8> xy;  ///< red, green, blue, white
@@ -158,13 +158,13 @@ constexpr std::array<NamedSpace, 7> named_spaces{
      {"lin_adobergb_scene", {0.64, 0.33, 0.21, 0.71, 0.15, 0.06, 0.3127, 0.329}},
      {"lin_ciexyzd65_scene", {1, 0, 0, 1, 0, 0, 1. / 3, 1. / 3}}}};
 
-/// Primaries and white of a linear space; none of another name.
+/// Primaries and white of a linear space; nothing for an unknown name.
 std::optional<std::array<double, 8>> primaries_of(std::string_view id) {
   const auto known = std::ranges::find(named_spaces, id, &NamedSpace::id);
   return known != named_spaces.end() ? std::optional(known->xy) : std::nullopt;
 }
 
-/// Colours by the numbers of ITU-T H.273.
+/// Colours for code points of ITU-T H.273.
 Colours by_code_points(const fs::path& path, unsigned primaries, unsigned transfer) {
   refuse_curve(path, transfer);
   const auto xy = primaries_of(primaries == 9    ? "lin_rec2020_scene"
@@ -173,7 +173,7 @@ Colours by_code_points(const fs::path& path, unsigned primaries, unsigned transf
   return xy ? ColourProfile::of_primaries(*xy, {}) : std::nullopt;
 }
 
-/// Colours of a HEIC or AVIF file, whose colour box OpenImageIO passes over.
+/// Colours of a HEIC or AVIF file, whose colour box OpenImageIO ignores.
 Colours heif_colours(const fs::path& path, std::size_t channels) {
   const auto bytes = beginning_of(path);
   const std::string_view all(bytes);
@@ -187,7 +187,7 @@ Colours heif_colours(const fs::path& path, std::size_t channels) {
   return ColourProfile::of_icc(all.substr(at + 8, size - 12), channels);
 }
 
-/// A chunk of a PNG before its pixels; nothing without.
+/// Finds a chunk before the pixels in a PNG; nothing if absent.
 std::optional<std::string_view> chunk_of_png(std::string_view all, std::string_view name) {
   for (std::size_t at = 8; at + 8 <= all.size();) {
     const auto size = big_endian(all.substr(at, 4));
@@ -215,7 +215,7 @@ Colours png_colours(const fs::path& path, const OIIO::ImageSpec& spec) {
   return ColourProfile::of_primaries(all, power);
 }
 
-/// A chunk of a WebP; nothing without.
+/// Finds a chunk in a WebP file; nothing if absent.
 std::optional<std::string_view> chunk_of_webp(std::string_view all, std::string_view name) {
   for (std::size_t at = 12; at + 8 <= all.size();) {
     std::string size_bytes(all.substr(at + 4, 4));
@@ -228,7 +228,7 @@ std::optional<std::string_view> chunk_of_webp(std::string_view all, std::string_
   return std::nullopt;
 }
 
-/// Heeds a WebP's header, which OpenImageIO passes over.
+/// Honours a WebP file's header, which OpenImageIO ignores.
 void heed_webp(const fs::path& path, Storage& storage) {
   const auto bytes = files::bytes_of(path);
   if (auto exif = chunk_of_webp(bytes, "EXIF")) {
@@ -241,7 +241,7 @@ void heed_webp(const fs::path& path, Storage& storage) {
     storage.colours = ColourProfile::of_icc(*icc, 3);
 }
 
-/// Colours by `colorInteropID`, else by `chromaticities`.
+/// Colours according to `colorInteropID`, or else `chromaticities`.
 Colours exr_colours(const OIIO::ImageSpec& spec) {
   const std::string id = spec.get_string_attribute("colorInteropID");
   if (id == "data") return std::nullopt;
@@ -278,7 +278,7 @@ Colours colours_of(const fs::path& path, const OIIO::ImageInput& input) {
 Storage storage_of(const fs::path& path, const OIIO::ImageInput& input) {
   Storage storage;
   const std::string_view format = input.format_name();
-  if (format == "raw") return storage;  // LibRaw heeds its own
+  if (format == "raw") return storage;  // LibRaw takes care of these itself
   storage.orientation = input.spec().get_int_attribute("Orientation", 1);
   if (format == "tiff") heed_tiff(path, input.spec(), storage);
   try {

@@ -16,26 +16,26 @@
 namespace coppermoon::texture {
 namespace {
 
-/// Reads a file word by word; past its end, nothing.
+/// Reads a file item by item; gives nothing past its end.
 class Reader {
  public:
   explicit Reader(const std::filesystem::path& path)
       : file_(path, std::ios::binary), size_(std::filesystem::file_size(path)) {}
 
-  /// A name of at most 255 letters; a longer text is no name, and neither is what follows it.
+  /// Reads a name of at most 255 letters; a longer text is not a name, nor is anything after it.
   std::string name() {
     std::string text;
     for (int letter = file_.get(); letter > 0 && text.size() < 256; letter = file_.get())
       text += static_cast<char>(letter);
     return text;
   }
-  /// Bytes as they are.
+  /// Reads bytes as they are.
   std::string bytes(std::size_t count) {
     std::string text(count, '\0');
     if (!file_.read(text.data(), static_cast<std::streamsize>(count))) text.clear();
     return text;
   }
-  /// A whole number of some bytes, 0 or more.
+  /// Reads an unsigned integer of `count` bytes.
   std::optional<std::int64_t> natural(std::size_t count, std::endian order) {
     auto text = bytes(count);
     if (text.empty()) return {};
@@ -44,7 +44,7 @@ class Reader {
     for (const char byte : text) value = value << 8 | static_cast<unsigned char>(byte);
     return value;
   }
-  /// Four bytes with a sign, little endian, as OpenEXR has them.
+  /// Reads a signed integer of four bytes, little endian, as in OpenEXR.
   std::optional<std::int64_t> integer() {
     const auto value = natural(4, std::endian::little);
     if (!value) return {};
@@ -60,7 +60,7 @@ class Reader {
   std::uintmax_t size_;
 };
 
-/// Bytes of the types that always have as many: OpenEXR reads so many, whatever the size says.
+/// Sizes of the types with a fixed size [bytes]: OpenEXR reads that many, whatever the attribute's size field says.
 const std::map<std::string_view, std::int64_t> fixed_sizes{
     {"box2f", 16},         {"box2i", 16},   {"chromaticities", 32},
     {"compression", 1},    {"double", 8},   {"envmap", 1},
@@ -71,7 +71,7 @@ const std::map<std::string_view, std::int64_t> fixed_sizes{
     {"v2d", 16},           {"v2f", 8},      {"v2i", 8},
     {"v3d", 24},           {"v3f", 12},     {"v3i", 12}};
 
-/// Goes over channels, each a name, a pixel type and 12 bytes, and the empty name behind them.
+/// Skips channels, each a name, a pixel type and 12 bytes, and the empty name after them.
 void pass_channels(Reader& file, const std::filesystem::path& path) {
   constexpr std::int64_t whole_number = 0, half = 1, floating = 2;
   for (auto name = file.name(); file.good() && !name.empty(); name = file.name()) {
@@ -85,7 +85,7 @@ void pass_channels(Reader& file, const std::filesystem::path& path) {
   }
 }
 
-/// Whether an attribute ends where its size says, in the file.
+/// Whether an attribute ends where its size says, and within the file.
 bool honest(Reader& file, const std::filesystem::path& path, const std::string& type,
             std::int64_t size) {
   const std::int64_t end = file.at() + size;
@@ -125,7 +125,7 @@ void require_honest_exr(const std::filesystem::path& path, Reader& file) {
 
 void require_honest_png(const std::filesystem::path& path, Reader& file) {
   constexpr std::int64_t checksum = 4;
-  if (file.bytes(8) != "\x89PNG\r\n\x1A\n") return;  // its reader says that it is none
+  if (file.bytes(8) != "\x89PNG\r\n\x1A\n") return;  // the reader will say that it is not a PNG
   while (const auto length = file.natural(4, std::endian::big)) {
     const auto type = file.bytes(4);
     if (type.empty() || type == "IEND") return;
@@ -134,7 +134,7 @@ void require_honest_png(const std::filesystem::path& path, Reader& file) {
   }
 }
 
-/// Goes over segments to the frame header.
+/// Skips segments up to the frame header, and checks the picture's size there.
 void require_honest_jpeg(const std::filesystem::path& path, Reader& file) {
   constexpr std::int64_t signature = 2, fill = 0xFF, start_of_scan = 0xDA;
   const auto next = [&](std::size_t count) {
@@ -160,7 +160,7 @@ void require_honest_jpeg(const std::filesystem::path& path, Reader& file) {
   }
 }
 
-/// OpenImageIO counts the bytes of the screen in an int.
+/// Checks the screen's size, whose bytes OpenImageIO counts in an int.
 void require_honest_gif(const std::filesystem::path& path, Reader& file) {
   constexpr std::int64_t signature = 6, channels = 4;
   file.go_to(signature);

@@ -10,11 +10,11 @@
 
 namespace coppermoon::texture {
 
-/// All functions of the sources that need OpenImageIO. The program has none of them itself: it takes
+/// All functions that need OpenImageIO. The program itself does not contain them: it loads
 /// them from a module, coppermoon_images.so, when it first calls one (image_module.cpp,
-/// loaded_images.cpp). Other programs have them from the library, and do not see this.
+/// loaded_images.cpp). Other programs get them from the library and do not use this.
 struct ImageFunctions {
-  const char* version;  ///< of coppermoon that they belong to
+  const char* version;  ///< the version of coppermoon that they belong to
 
   decltype(texture::read_image)* read_image;
   decltype(texture::read_channels)* read_channels;
@@ -42,10 +42,10 @@ struct ImageFunctions {
   decltype(texture::write_captions)* write_captions;
 };
 
-/// Only exported name of the module.
+/// The only name that the module exports.
 inline constexpr const char* image_functions_name = "coppermoon_image_functions";
 
-/// Type of the function of that name.
+/// Type of the function with that name.
 using GiveImageFunctions = const ImageFunctions*();
 
 }  // namespace coppermoon::texture

@@ -20,7 +20,7 @@ Error cannot_read(const fs::path& path, std::string_view reason) {
   return Error(fmt::format("{}: cannot be read: {}", path.string(), reason));
 }
 
-/// The first line of what OpenImageIO says; asked in any case, or it would print it at the end.
+/// The first line of OpenImageIO's error message. Always fetch it, or OpenImageIO prints it at exit.
 std::string reason_of(OIIO::ImageInput* input) {
   auto text = input ? input->geterror() : std::string();
   const auto pending = OIIO::geterror();
@@ -31,7 +31,7 @@ std::string reason_of(OIIO::ImageInput* input) {
 
 namespace {
 
-/// A header may claim any size: the file must be able to hold it before any memory is asked for.
+/// Refuses a size that the file cannot hold, before any memory is allocated: a header may claim anything.
 void require_size(const fs::path& path, const OIIO::ImageInput& input) {
   const auto& spec = input.spec();
   const auto [data, display] = windows_of(input);
@@ -47,16 +47,16 @@ void require_size(const fs::path& path, const OIIO::ImageInput& input) {
   require_within(path, "numbers of a tile in a file so small", tile, most_numbers_in(path));
 }
 
-/// First bytes of a kind of files, from some byte on.
+/// Bytes by which a file format is recognised, starting at a given byte.
 struct Sign {
   std::size_t at;
   std::string_view bytes;
   const char* format;
 };
 
-/// OpenImageIO's name for what reads a file: by its first bytes, else by its name's ending. Left alone
-/// it would hand a file that one reader refuses to all of its others, films and medicine included. Most
-/// cameras' raw files begin as a TIFF does: the ending tells them apart.
+/// OpenImageIO's name for a file's format, by its first bytes or else by its name's extension. By itself,
+/// OpenImageIO would try all its other readers on a file that one refuses, even those for films and medical images.
+/// Most cameras' raw files begin like a TIFF; the extension tells them apart.
 std::string format_of(const fs::path& path) {
   using namespace std::string_view_literals;
   constexpr std::array<Sign, 19> known{{{0, "v/1\x01"sv, "openexr"},

@@ -17,33 +17,33 @@ namespace coppermoon::texture {
 
 algebra::Error cannot_read(const std::filesystem::path& path, std::string_view reason);
 
-/// The first line of what OpenImageIO says; asked in any case, or it would print it at the end.
+/// The first line of OpenImageIO's error message. Always fetch it, or OpenImageIO prints it at exit.
 std::string reason_of(OIIO::ImageInput* input);
 
-/// Whether a file is OpenEXR's, by its first bytes.
+/// Whether a file is an OpenEXR file, judged by its first bytes.
 bool has_openexr(const std::filesystem::path& path);
 
-/// An image whose header is read and can be true.
+/// Opens an image, having checked that its header is plausible.
 ///
 /// Throws  Error  as read_image
 std::unique_ptr<OIIO::ImageInput> opened(const std::filesystem::path& path);
 
-/// Whether its channels' names and its windows are the file's own. A PNG's or TIFF's place on a page is
-/// no window.
+/// Whether an image is OpenEXR, so that its channel names and windows come from the file. The position of a PNG or
+/// TIFF on a page is not a window.
 bool is_openexr(const OIIO::ImageInput& input);
 
-/// Where an image's texels are, and where its picture is: OpenEXR's data and display window. Other
-/// kinds of files have one of both.
+/// Where an image's texels are, and where its picture is: OpenEXR's data and display windows. For other
+/// kinds of files both are the same.
 Windows windows_of(const OIIO::ImageInput& input);
 
-/// Some rows of an image, all its channels.
+/// Some rows of an image, with all its channels.
 template <class T>
 struct RowsRead {
   std::size_t first_row, rows;
   std::vector<T> values;
 };
 
-/// Reads some 64 rows at a time, whole rows of tiles where there are tiles: memory stays small.
+/// Reads about 64 rows at a time, in whole rows of tiles if the image is tiled, so that little memory is used.
 template <class T>
 void for_all_rows(OIIO::ImageInput& input, const std::filesystem::path& path, const auto& act) {
   const auto spec = input.spec();

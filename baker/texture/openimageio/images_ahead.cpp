@@ -3,7 +3,7 @@
 
 namespace coppermoon::texture {
 
-// a program that is linked with OpenImageIO has loaded it already
+// nothing to do: a program linked with OpenImageIO has already loaded it
 ImagesAhead::ImagesAhead() = default;
 ImagesAhead::~ImagesAhead() = default;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The program's own definitions of all functions that need OpenImageIO, which takes 0.2 s to load: they
-// load it when one is first called. Linked before the library, whose definitions are then left out.
+// The program's own definitions of all functions that need OpenImageIO, which takes 0.2 s to load. It is
+// loaded when one is first called. Linked before the library, whose definitions are then left out.
 #include <tbb/parallel_for.h>
 
 #include <cstddef>
@@ -20,9 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 using algebra::Error;
 
-/// The module beside the program, where it was built, or where it was installed.
+/// The module's path: beside the program, as built, or where it was installed.
 ///
-/// Throws  Error  when it is in neither place
+/// Throws  Error  when the module is in neither place
 fs::path module_file() {
   constexpr const char* name = "coppermoon_images.so";
   static const char mine = 0;
@@ -36,8 +36,8 @@ fs::path module_file() {
       installed.string()));
 }
 
-/// Refuses where the system would not give the addresses that the module's libraries take: OpenImageIO's own
-/// start uses memory that it did not get.
+/// Refuses to load if the system would not grant the address space that the module's libraries take: OpenImageIO's
+/// start-up code uses memory without checking that it got it.
 ///
 /// Throws  std::bad_alloc
 void require_addresses() {
@@ -48,8 +48,8 @@ void require_addresses() {
 
 /// Loads the module, which then stays.
 ///
-/// Throws  Error  one line with its path: it is not there, it or a library of its own cannot be
-///                loaded, it belongs to another coppermoon
+/// Throws  Error  one line with the module's path: it is missing, it or one of its libraries cannot be
+///                loaded, or it belongs to another version of coppermoon
 const ImageFunctions& loaded() {
   const auto file = module_file();
   require_addresses();
@@ -71,13 +71,13 @@ const ImageFunctions& images() {
 
 ImagesAhead::ImagesAhead() {
   if (files::addresses_are_limited()) return;
-  // oneTBB loads libraries of its own when it begins, and would wait for these
+  // oneTBB loads libraries of its own when it starts, and would have to wait for these
   tbb::parallel_for(0, 2, [](int) {});
   try {
     loading_ = std::thread([] {
       try {
         images();
-      } catch (...) {  // whoever first needs an image tries again, and says it
+      } catch (...) {  // the first use of an image tries again, and reports it
       }
     });
   } catch (const std::system_error&) {  // no thread: loaded later

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int tile_side = 64;
 
-/// Weight of a source texel in the destination texel when a row is halved.
+/// Weight of one source texel in one destination texel when a row is halved.
 struct Halving {
   std::size_t from, to;
 
@@ -28,8 +28,8 @@ struct Halving {
   }
 };
 
-/// The next level of a mip-map: half the size, each texel the mean over its area; filled from rows
-/// as they come.
+/// The next level of a mip-map: half the size, each texel the mean over its area; filled as
+/// rows arrive.
 class NextLevel {
  public:
   explicit NextLevel(const Layout& layout)
@@ -65,7 +65,7 @@ class NextLevel {
   Halving columns_, rows_;
 };
 
-/// One level, and the next smaller one filled on the way.
+/// Writes one level, and fills the next smaller one on the way.
 bool write_level(OIIO::ImageOutput& output, const Source& source, NextLevel& next) {
   bool written = true;
   const auto width = static_cast<int>(source.layout.width);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// OpenImageIO with the fmt that all else here has. Included first it would compile another, whose functions have the
-// same names and end the program where ours throw; they would also be reason enough to link whatever has them.
+// OpenImageIO with the same fmt as the rest of the program. Included first, OpenImageIO would compile another fmt. Its
+// functions have the same names but end the program where ours throw; whatever contains them would be linked as well.
 #pragma once
 
 #include <fmt/format.h>

@@ -43,7 +43,7 @@ std::size_t length(const Attribute& value) {
   return numbers ? numbers->size() : 0;
 }
 
-/// Whether two numbers are whole and 1 or more, and a float has them exactly.
+/// Whether a value is two whole numbers of 1 or more that a float represents exactly.
 bool is_ratio(const Attribute& value) {
   constexpr float most = 1 << 24;
   const auto* numbers = std::get_if<std::vector<float>>(&value);

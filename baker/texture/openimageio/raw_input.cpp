@@ -15,8 +15,8 @@ namespace {
 
 constexpr const char* format = "raw";
 
-/// Rows of the matrix from the camera's channels, balanced for D65, to linear Rec. 709: LibRaw has four
-/// columns, for cameras of four channels.
+/// Rows of the matrix from the camera's channels, balanced for D65, to linear Rec. 709. LibRaw has four
+/// columns, for cameras with four channels.
 using Matrix = std::array<float, 12>;
 
 Matrix matrix_of(const glm::dmat3& given) {

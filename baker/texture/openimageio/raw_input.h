@@ -10,22 +10,21 @@
 
 namespace coppermoon::texture {
 
-/// Whether LibRaw reads files whose names end so: .dng, .cr2, .NEF, …
+/// Whether a file's name ends like those that LibRaw reads: .dng, .cr2, .NEF, …
 bool has_raw_ending(const std::filesystem::path& path);
 
 /// Whether an image is a camera's raw file.
 bool is_raw(const OIIO::ImageInput& input);
 
-/// Settings that OpenImageIO gets before it opens a file; only raw files heed them. A raw file gives
+/// Settings that OpenImageIO gets before it opens a file; they affect only raw files. A raw file gives
 /// the camera's own three channels, upright and linear, interpolated linearly from the mosaic of its
-/// filters. Black is subtracted, noise below it cut off. D65's white is neutral, whatever white balance
-/// the camera was set to; 1 is its saturation, where the most sensitive channel ends.
+/// filters. Black is subtracted, and noise below it cut off. D65 white is neutral, whatever the camera's white
+/// balance was; 1 is white at the saturation of the most sensitive channel.
 OIIO::ImageSpec raw_hints();
 
-/// Makes linear Rec. 709 of the channels that a raw file gives, by the camera's colour matrix for D65,
-/// or by one that is given. A
-/// pixel is white, 1, where a channel of it or of a neighbour that it may be interpolated from is clipped.
-/// No number is above 1; those of colours outside the gamut are below 0.
+/// Converts a raw file's channels to linear Rec. 709, by `given` or else by the camera's colour matrix for D65. A
+/// pixel becomes white, 1, if one of its channels is clipped, or one in a neighbour that it may be interpolated from.
+/// No number is above 1; colours outside the gamut have numbers below 0.
 ///
 /// Throws  Error  when no colour matrix of the camera is known
 void make_rec709(const std::filesystem::path& path, const OIIO::ImageSpec& spec,

@@ -11,7 +11,7 @@ namespace {
 
 std::mutex one_at_a_time;
 int silences = 0;
-files::Handle kept;  ///< stderr as it was before the first of them
+files::Handle kept;  ///< stderr as it was before the first Silence
 
 }  // namespace
 

@@ -5,13 +5,13 @@
 
 namespace coppermoon::texture {
 
-/// Keeps stderr closed to the libraries below for as long as any is there, in whatever thread: libpng,
-/// libjpeg and libtiff print lines of their own about files that end early, which an Error then tells again.
-/// Nothing of ours may print meanwhile. OpenEXR prints nothing, and needs none.
+/// Silences stderr as long as any Silence exists, in any thread: libpng, libjpeg and libtiff print
+/// their own messages about files that end early, which an Error then reports again.
+/// Our own code must not print meanwhile. OpenEXR prints nothing, and so needs no Silence.
 class Silence {
  public:
   Silence();
-  /// Of a file that is read: none for one of OpenEXR.
+  /// For reading a file: does nothing if it is an OpenEXR file.
   explicit Silence(const std::filesystem::path& file);
   ~Silence();
   Silence(const Silence&) = delete;

@@ -44,7 +44,7 @@ glm::dvec3 pixel_of(const texture::Image& image, std::size_t row, std::size_t co
   return {image(row, column, 0), image(row, column, 1), image(row, column, 2)};
 }
 
-/// CIE 1976 u', v' (CIE 15:2004, 8.2.1.1); nothing without light.
+/// CIE 1976 u', v' (CIE 15:2004, 8.2.1.1); nothing if there is no light.
 std::optional<std::array<double, 2>> uv_of(const glm::dvec3& rgb) {
   const auto xyz = xyz_from_rgb() * rgb;
   const double whole = xyz.x + 15 * xyz.y + 3 * xyz.z;
@@ -57,7 +57,7 @@ colour::Lab developed(const glm::dvec3& rgb) {
   return colour::lab_from_xyz(xyz_from_rgb() * glm::clamp(rgb, 0., 1.));
 }
 
-/// Sums over pixels, for a difference.
+/// Sums over pixels from which a difference is made.
 struct Sums {
   Difference difference;
   glm::dvec3 photo{0}, render{0};
@@ -87,7 +87,7 @@ struct Sums {
   }
 };
 
-/// Frame without the stars beside the Moon, which registration would take for its limb.
+/// A frame without the stars beside the Moon, which registration would mistake for its limb.
 texture::Image moon_alone(texture::Image frame, const povray_scenes::SceneCamera& camera) {
   const auto disc = disc_outline(camera);
   if (!disc) return frame;
@@ -107,7 +107,7 @@ texture::Image glowing(texture::Image frame, double share,
   return image_of(colour::with_glow(pixels_of(frame), share, pixel_rad_of(camera)));
 }
 
-/// Value that counts as clipped, over the largest.
+/// Ratio to the largest value from which a value counts as clipped.
 constexpr float of_brightest = 0.99F;
 
 float brightest_of(const texture::Image& image) {
@@ -119,15 +119,15 @@ bool any_channel_reaches(const glm::dvec3& rgb, double value) {
   return std::max({rgb.r, rgb.g, rgb.b}) >= value;
 }
 
-/// Upper median; its order is lost.
+/// Upper median; reorders the values.
 double median(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
 
-/// Distance from the shadow's axis of the ground that a place of a frame shows [km]; nothing beside the Moon and beyond
-/// 0.97 of its radius.
+/// Distance of the ground at a place in a frame from the shadow's axis [km]; nothing beside the Moon or beyond 0.97 of
+/// its radius.
 std::optional<double> axis_distance_km(const almanac::SkyState& sky,
                                        const eclipse::ShadowAxis& axis,
                                        const povray_scenes::Sight& sight, const glm::dvec2& pixel) {
@@ -139,8 +139,8 @@ std::optional<double> axis_distance_km(const almanac::SkyState& sky,
   return algebra::in_kilometres(eclipse::place_of_ground(axis, sky, *ground).axis_distance);
 }
 
-/// Pixels of a photograph where the disc is; of a large photograph every n-th row and column, as if it had some
-/// million pixels in all.
+/// Pixels of a photograph within the disc. For a large photograph only every n-th row and column is used, as if it had
+/// about a million pixels in all.
 Pixels shared_pixels(const texture::Image& photo, const texture::Image& render,
                      const almanac::SkyState& sky, const povray_scenes::SceneCamera& camera,
                      const colour::Similarity& render_to_photo) {
@@ -175,7 +175,7 @@ Pixels shared_pixels(const texture::Image& photo, const texture::Image& render,
 }
 
 /// Exposure that makes the render as bright as the photograph: the median over pixels that are neither clipped nor
-/// below a hundredth of the brightest.
+/// darker than a hundredth of the brightest.
 double fitted_exposure(const Pixels& pixels) {
   constexpr double least_share = 0.01;
   double most = 0;
@@ -191,9 +191,9 @@ double fitted_exposure(const Pixels& pixels) {
   return median(ratios);
 }
 
-/// Tone curve of the camera, fitted to pixels as displayed: exposure and colours are free, light of each step of the
-/// render's light has an error of 3 %. Errors of the render in bright and dark pass for the curve's, as far as cameras
-/// differ.
+/// Tone curve of the camera, fitted to pixels as displayed. Exposure and colours are free; light has an error of 3 %
+/// in each step of the render's light. Errors of the render in bright and dark parts are absorbed by the curve, within
+/// the range of real cameras.
 colour::ToneCurve fitted_curve(const Pixels& pixels) {
   constexpr double step = 0.1, error = 0.03, unknown = 10, of_colours = 0.3;
   constexpr std::size_t many = 50, least = 3;

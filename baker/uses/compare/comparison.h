@@ -18,15 +18,15 @@
 
 namespace coppermoon::uses {
 
-/// Luminance of an image of linear Rec.709, in its own unit. Pixels clipped in any channel get the value of the
-/// brightest.
+/// Luminance of a linear Rec.709 image, in the image's own unit. Pixels clipped in any channel get the value of the
+/// brightest pixel.
 algebra::Grid<float> luminance_of(const texture::Image& light);
 
-/// An image resampled to the geometry of another picture.
+/// An image, resampled to the geometry of another picture.
 texture::Image resampled(const texture::Image& image, const colour::Similarity& similarity,
                          std::size_t rows, std::size_t columns);
 
-/// A pixel of a photograph, and the render at its place.
+/// A pixel of a photograph, and the render at the same place.
 struct SharedPixel {
   double axis_distance_km;
   glm::dvec3 photo;         ///< linear Rec.709; 1 saturates
@@ -34,15 +34,15 @@ struct SharedPixel {
   bool clipped;             ///< in the photograph
 };
 
-/// Difference between pixels of a photograph and of a render, without clipped ones. Where more than half of the
-/// photograph's pixels are black it is empty: the mean of the others is too bright.
+/// Difference between pixels of a photograph and of a render, leaving out clipped ones. If more than half of the
+/// photograph's pixels are black, its values are empty, because the mean of the others would be too bright.
 struct Difference {
-  double from_km = 0, to_km = 0;  ///< axis distances
-  std::size_t pixels = 0;         ///< not clipped
+  double from_km = 0, to_km = 0;  ///< range of distances from the shadow's axis
+  std::size_t pixels = 0;         ///< number of pixels not clipped
   std::size_t clipped = 0;
-  std::size_t black = 0;  ///< of `pixels`, those without light in the photograph
+  std::size_t black = 0;  ///< how many of `pixels` have no light in the photograph
   std::optional<double> stops = {};
-  ///< mean luminance of the photograph over the render's
+  ///< ratio of the photograph's mean luminance to the render's
   std::optional<std::array<double, 2>> photo_uv = {},
                                        render_uv = {};  ///< CIE 1976 u', v' of the mean light
   std::optional<double> delta_e_2000 = {};              ///< mean over the developed pixels
@@ -69,7 +69,7 @@ void describe(Field&& is, const Difference& difference) {
   is("delta_e_2000", difference.delta_e_2000, "colour difference CIEDE2000");
 }
 
-/// Differences in even steps of axis distance, then that of the whole disc.
+/// Differences in even steps of axis distance, followed by the difference over the whole disc.
 ///
 /// Given  exposure  pixel value of 1 cd/m²
 ///        bins      number of steps
@@ -80,27 +80,27 @@ std::vector<Difference> differences(const std::vector<SharedPixel>& pixels, doub
 struct Comparison {
   colour::Registration registration;
   double exposure, fitted_exposure;          ///< pixel value of 1 cd/m²: as used, and as fitted
-  std::vector<Difference> differences;       ///< as `differences`
+  std::vector<Difference> differences;       ///< as from differences()
   texture::Image render;                     ///< with glow, at the exposure used, linear Rec.709
-  std::optional<colour::ToneCurve> curve{};  ///< camera's, where it was fitted
+  std::optional<colour::ToneCurve> curve{};  ///< the camera's, if it was fitted
 };
 
-/// Exposure and coding of a photograph, and settings of the comparison.
+/// Exposure and coding of a photograph, and settings for the comparison.
 struct ComparisonRequest {
-  std::optional<colour::Exposure> exposure = {};  ///< without: fitted
-  bool curved = false;                            ///< by its camera's tone curve, which is fitted
+  std::optional<colour::Exposure> exposure = {};  ///< fitted if absent
+  bool curved = false;                            ///< whether to fit its camera's tone curve
   double glow = 0;        ///< share of light scattered by optics and air: colour::with_glow
   std::size_t bins = 12;  ///< steps of axis distance, 1 to 1000
 };
 
-/// Registers a rendered frame in a photograph, gives it glow and exposure, and compares the two.
+/// Registers a rendered frame in a photograph, adds glow and exposure to it, and compares the two.
 ///
 /// Given   photo        linear Rec.709, 1 saturates
 ///         frame        linear Rec.709 [cd/m²], without glow
-///         sky, camera  by which the frame was rendered
+///         sky, camera  with which the frame was rendered
 /// Throws  Error  as colour::registered and with_glow; when the camera is not sound; when no pixel is lit in both
-///                pictures and not clipped; when fewer than three steps of light are there to fit a tone curve by; when
-///                the frame's size is not its camera's
+///                pictures and not clipped; when there are fewer than three steps of light to fit a tone curve; when
+///                the frame's size is not the camera's
 Comparison compared(const texture::Image& photo, const texture::Image& frame,
                     const almanac::SkyState& sky, const povray_scenes::SceneCamera& camera,
                     const ComparisonRequest& request = {});

@@ -6,8 +6,9 @@
 
 namespace coppermoon::uses {
 
-/// Sheet of three panels side by side: the photograph; the render at the photograph's exposure; their difference, red
-/// where the photograph is brighter, blue where it is darker, saturated at two stops, black where either is dark.
+/// Draws a sheet of three panels side by side: the photograph, the render at the photograph's exposure, and their
+/// difference. It is red where the photograph is brighter, blue where it is darker, saturated at two stops, and black
+/// where either is dark.
 ///
 /// Given     photo  as it was read and compared
 /// Returned  sRGB-coded, 0 to 1: R, G, B; three squares of at most 640 pixels

@@ -27,7 +27,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Grid of directions.
+/// The picture's grid of directions.
 class Directions {
  public:
   explicit Directions(std::size_t columns) : columns_(columns), step_(2 * pi / double(columns)) {}
@@ -36,27 +36,27 @@ class Directions {
   std::size_t rows() const { return columns_ / 2; }
   std::size_t rows_above() const { return rows() / 2; }
 
-  /// Altitude of a row's middle [rad].
+  /// Altitude at a row's middle [rad].
   double altitude(std::size_t row) const { return pi / 2 - (double(row) + 0.5) * step_; }
-  /// Azimuth of a column's middle [rad], −π to π.
+  /// Azimuth at a column's middle [rad], −π to π.
   double azimuth(std::size_t column) const { return (double(column) + 0.5) * step_ - pi; }
 
   glm::dvec3 direction(std::size_t row, std::size_t column) const {
     return in_sky(algebra::radians(altitude(row)), algebra::radians(azimuth(column)));
   }
 
-  /// Solid angle of a texel [sr].
+  /// Solid angle of a texel in a row [sr].
   double solid_angle(std::size_t row) const {
     return step_ * 2 * std::sin(step_ / 2) * std::cos(altitude(row));
   }
 
-  /// Place in texels, from the upper left corner.
+  /// Place of a direction in texels, from the upper left corner.
   std::pair<double, double> place(algebra::Angle altitude, algebra::Angle azimuth) const {
     return {(algebra::in_radians(azimuth) + pi) / step_,
             (pi / 2 - algebra::in_radians(altitude)) / step_};
   }
 
-  /// Column within the picture, which goes on around the horizon.
+  /// Column wrapped around the horizon into the picture.
   std::size_t around(std::ptrdiff_t column) const {
     const auto all = static_cast<std::ptrdiff_t>(columns_);
     return static_cast<std::size_t>((column % all + all) % all);
@@ -73,7 +73,7 @@ void add(texture::Image& image, std::size_t row, std::size_t column, const Rgb& 
     image(row, column, k) += static_cast<float>(factor * light[k]);
 }
 
-/// Moon as it lights an observer.
+/// The Moon as a light for an observer.
 struct MoonOver {
   std::vector<double> magnitudes;  ///< [band], above the air, from the Earth's centre
   Rgb lux{};  ///< through the air, on a surface that faces it; 0 below the horizon
@@ -90,7 +90,7 @@ MoonOver moon_over(LitMoon moon, const ViewRequest& view) {
   return over;
 }
 
-/// View of all the sky, whether or not the Moon is up.
+/// View of the whole sky, whether or not the Moon is up.
 View view_around(const ViewRequest& request, const atmosphere::ObserverAir& air) {
   View view;
   view.observer = request.observer;
@@ -99,7 +99,7 @@ View view_around(const ViewRequest& request, const atmosphere::ObserverAir& air)
   return view;
 }
 
-/// Spreads a point's light over the four texels around it, by their distance; none of it below the horizon.
+/// Spreads a point's light over the four texels around it, weighted by distance; none goes below the horizon.
 void add_point(texture::Image& image, const Directions& all,
                const povray_scenes::HorizonPlace& place, const Rgb& lux) {
   const auto [x, y] = all.place(place.altitude, place.azimuth);
@@ -122,7 +122,7 @@ void add_stars(texture::Image& image, const Directions& all, const View& view,
       add_point(image, all, star.place, star.illuminance_lux);
 }
 
-/// Adds the Moon's disc in equal points; those below the horizon are left out.
+/// Adds the Moon's disc as equal points, leaving out those below the horizon.
 void add_moon(texture::Image& image, const Directions& all, const MoonOver& moon,
               algebra::Angle radius) {
   constexpr int points = 1 << 16;
@@ -144,7 +144,7 @@ void add_moon(texture::Image& image, const Directions& all, const MoonOver& moon
   }
 }
 
-/// Illuminance of level ground by all that is above the horizon.
+/// Illuminance on level ground from everything above the horizon.
 Rgb on_level_ground(const texture::Image& image, const Directions& all) {
   Rgb lux{};
   for (std::size_t row = 0; row < all.rows_above(); ++row) {

@@ -14,26 +14,26 @@
 
 namespace coppermoon::uses {
 
-/// Picture of a whole sky.
+/// Settings for a picture of the whole sky.
 struct DomeRequest {
   std::size_t width = 2048;  ///< a multiple of 4, 16 to 16384 texels; half as many rows
-  TextureContent content{};  ///< space and type of numbers
-  bool moon = false;         ///< also the Moon itself, as an even disc
+  TextureContent content{};  ///< colour space and number type
+  bool moon = false;         ///< whether to include the Moon itself, as a uniform disc
   double ground_albedo = 0;  ///< below the horizon, 0 to 1; 0: black
 };
 
-/// Parameters of a dome: width, Moon, ground, space and type.
+/// Describes a dome's parameters: width, Moon, ground, space and type.
 void describe(request::Parameters& is, DomeRequest& dome);
 
-/// Throws  Error  when a number of it is outside its range
+/// Throws  Error  when one of the dome's numbers is outside its range
 void require_sound(const DomeRequest& dome);
 
 /// What a dome shows, in numbers.
 struct DomeFigures {
   double zenith_cd_m2 = 0;  ///< without stars
-  double sky_lx = 0;        ///< of the sky and the stars on level ground, without the Moon itself
-  double moon_lx = 0;       ///< on a surface that faces the Moon
-  povray_scenes::HorizonPlace moon;  ///< as seen
+  double sky_lx = 0;        ///< from the sky and stars on level ground, without the Moon itself
+  double moon_lx = 0;       ///< from the Moon, on a surface that faces it
+  povray_scenes::HorizonPlace moon;  ///< apparent place, with refraction
   algebra::Angle sun_altitude;       ///< airless
   double extinction_mag = 0;
 };
@@ -59,33 +59,34 @@ void describe(Field&& is, const DomeFigures& sky) {
 
 /// Luminance of the night sky in all directions.
 struct Dome {
-  texture::Image light;            ///< in the space asked for [cd/m²]
+  texture::Image light;            ///< in the requested colour space [cd/m²]
   texture::Attributes attributes;  ///< for a file's header
   DomeFigures figures{};
 };
 
-/// Clear night sky over an observer, latitude–longitude: the zenith on top, the horizon in the middle, north in the
-/// middle column, east to the right of it, at three quarters of the width. Seen from inside, nothing is mirrored.
+/// Clear night sky over an observer as a latitude–longitude picture: zenith at the top, horizon half-way down,
+/// north in the middle column, and east to its right, at three quarters of the width. It is seen from inside, and not
+/// mirrored.
 ///
-/// Luminance is that of ClearSky. Stars and planets are points: each gives its light to the four texels around its
-/// place, so that luminance times solid angle, summed, is its illuminance through the air. The Moon, where it is asked
-/// for, is an even disc of the illuminance that brightness_of has; whoever has a Moon of geometry leaves it out.
-/// The ground is diffuse and lit by sky, stars and Moon.
+/// Luminance comes from ClearSky. Stars and planets are points: each spreads its light over the four texels around
+/// it, so that luminance times solid angle adds up to its illuminance through the air. The Moon, if asked for, is a
+/// uniform disc with the illuminance from brightness_of; leave it out if the scene has a Moon as geometry. The ground
+/// is diffuse and lit by sky, stars and Moon.
 ///
-/// Colours: moonlight as air scatters it (ScatteredColour), of a Moon with the B − V and V − R of the eclipse; twilight as
-/// atmosphere::TwilightSky; airglow with B − V = 1.03 and V − R = 0.74 (Patat 2003); stars as StarLights.
+/// Colours: moonlight as scattered by air (ScatteredColour), from a Moon with the eclipse's B − V and V − R; twilight
+/// as in atmosphere::TwilightSky; airglow with B − V = 1.03 and V − R = 0.74 (Patat 2003); stars as in StarLights.
 ///
-/// Given     moon      of any moment; below the horizon it lights nothing
+/// Given     moon      at any moment; below the horizon it lights nothing
 ///           view      its observer, air and stars (to V = 6.5 unless it says how faint)
 /// Returned  [cd/m²]   finite and not below 0 in every direction
-/// Accuracy  that of ClearSky; the illuminance of stars 1e-3, of the Moon 1e-2
-/// Omits     towns, Milky Way and zodiacal light, clouds, stars below the horizon of a high place
+/// Accuracy  as ClearSky; 1e-3 in the illuminance from stars, 1e-2 in that from the Moon
+/// Omits     towns, Milky Way and zodiacal light, clouds, stars that a high place sees below the horizontal
 /// Throws    Error     without an observer; as require_sound, air_over; when a catalogue is damaged
 /// Source    colours of the night: Patat (2003), A&A 400, 1183
 Dome dome_over(const DomeRequest& request, const LitMoon& moon, const ViewRequest& view);
 
-/// Writes a sky without stars, for a renderer that draws its own. The first row below the horizon repeats the one above
-/// it: a renderer that interpolates rows keeps the horizon bright.
+/// Writes a sky without stars, for a renderer that draws its own. The first row below the horizon repeats the row above
+/// it, so that the horizon stays bright in a renderer that interpolates rows.
 void write_sky(const std::filesystem::path& file, const LitMoon& moon, ViewRequest view,
                const DomeRequest& dome = {.width = 1024});
 

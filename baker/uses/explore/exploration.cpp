@@ -39,14 +39,14 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Numbers of wavelengths, and of terms of the Sun's disc, that light is summed over.
+/// Numbers of wavelengths, and of terms for the Sun's disc, that light is summed over.
 constexpr int bands = 40, sun_terms = 3;
 
-/// Time that is shown before the first contact and after the last [s].
+/// Time shown before the first contact and after the last [s].
 constexpr double margin_s = 600;
 
 constexpr std::size_t map_rows = 1024;
-/// Largest longitude that libration shows [degrees].
+/// Largest longitude that libration can bring into view [degrees].
 constexpr double seen_longitude = 99;
 
 constexpr std::size_t cities = 1500;
@@ -58,7 +58,7 @@ std::vector<std::string> views_shown() {
   return views;
 }
 
-/// Milliseconds since 1970 as JavaScript's Date counts them: every day of UTC has 86 400 s.
+/// Milliseconds since 1970 as counted by JavaScript's Date, in which every UTC day has 86 400 s.
 double unix_ms(const almanac::Instant& when) {
   const auto text = almanac::utc_text(when, 3);
   const auto date = text.substr(0, text.find('T'));
@@ -71,11 +71,11 @@ double unix_ms(const almanac::Instant& when) {
          almanac::seconds_between(almanac::instant_from_utc(date), when) * 1e3;
 }
 
-/// Surge that the highest code of the ground's map stands for; the lowest stands for its negative.
+/// Surge that the highest code in the ground map stands for. The lowest code stands for its negative.
 constexpr double widest_surge = 0.8;
 constexpr std::size_t ground_rows = 180, ground_columns = 198;
 
-/// Adds colour and surge of the visible ground, each coded in 256 even steps.
+/// Adds the colour and surge of the visible ground, each coded in 256 equal steps.
 ordered_json add_ground(PageArrays& arrays, const surface::Ground* ground) {
   constexpr std::size_t columns = 2 * ground_rows, first = (columns - ground_columns) / 2;
   std::vector<std::uint8_t> coded;
@@ -99,7 +99,7 @@ ordered_json add_ground(PageArrays& arrays, const surface::Ground* ground) {
           {"longitudes", ground_columns}};
 }
 
-/// Adds the albedo of the visible ground, coded in 256 steps of equal ratio.
+/// Adds the albedo of the visible ground, coded in 256 steps with equal ratios.
 ordered_json add_map(PageArrays& arrays, const MoonRequest& request) {
   const auto albedo = normal_albedo(request);
   const auto ground = ground_of(request, albedo);
@@ -127,8 +127,8 @@ ordered_json add_map(PageArrays& arrays, const MoonRequest& request) {
           {"longitudes", 360. * static_cast<double>(width) / columns}};
 }
 
-/// Adds the Sun's disc, and the weights by which the channels red, green, blue and V sum up its light: on the reddest
-/// ground, then on the bluest.
+/// Adds the Sun's disc, and the weights with which the channels red, green, blue and V sum its light, first on the
+/// reddest ground, then on the bluest.
 ordered_json add_sunlight(PageArrays& arrays, bool limb_darkening,
                           const std::vector<double>& wavelengths) {
   const auto terms = photons::disc_terms(wavelengths, limb_darkening, sun_terms);
@@ -155,7 +155,7 @@ ordered_json add_sunlight(PageArrays& arrays, bool limb_darkening,
           {"VAt1au", meter.sunlight[V_band]}};
 }
 
-/// Adds vertical optical depths of the air above an observer at sea level, as `still` has it: molecules, ozone, aerosol.
+/// Adds vertical optical depths for the air above an observer at sea level, as in `still`: molecules, ozone, aerosol.
 void add_observer_air(PageArrays& arrays, const std::vector<double>& wavelengths) {
   const ViewRequest usual;
   const atmosphere::ObserverAir air{.ozone_du = usual.observer_ozone_du,
@@ -170,9 +170,9 @@ void add_observer_air(PageArrays& arrays, const std::vector<double>& wavelengths
   arrays.add("observer.depths", depths);
 }
 
-/// Adds logarithms to the base 2 of the light of the clear sky around the Moon [cd/m²], linear Rec.709, at two
-/// elevations: without moonlight by the Sun's altitude and by how far the Moon stands above the antisolar point; of the
-/// air alone in a dark night, and of moonlight in it, by the root of the Moon's altitude. All altitudes are true.
+/// Adds base-2 logarithms of the clear sky's light around the Moon [cd/m²], linear Rec.709, at two elevations. Light
+/// without the Moon goes by the Sun's altitude and by how far the Moon is above the antisolar point. Airglow on a dark
+/// night, and moonlight, go by the square root of the Moon's altitude. All altitudes are true.
 ///
 /// Returned  first nodes and steps [degrees]
 ordered_json add_sky(PageArrays& arrays, almanac::SkyState sky) {
@@ -225,11 +225,11 @@ ordered_json add_sky(PageArrays& arrays, almanac::SkyState sky) {
           {"moonV", moon_V}};
 }
 
-/// Axis of a view's table: even steps of log2(1 + gain x) / stops, from 0 to 1.
+/// Axes of a view's table: equal steps of log2(1 + gain x) / stops, from 0 to 1.
 constexpr int table_size = 33;
 constexpr double table_gain = 1024, table_stops = 17;
 
-/// Adds a view of the display sRGB as a table of colours.
+/// Adds one view of the sRGB display as a table of colours.
 void add_view(PageArrays& arrays, const std::string& view) {
   const auto level = [](int i) {
     return static_cast<float>((std::exp2(table_stops * i / (table_size - 1.)) - 1) / table_gain);
@@ -285,7 +285,7 @@ void add_names(PageArrays& arrays) {
   arrays.add("features", text);
 }
 
-/// Names of the contacts, and their times.
+/// Names and times of the contacts.
 ordered_json contacts_in_ms(const eclipse::Eclipse& eclipse) {
   ordered_json all;
   for (const auto& [name, when] : eclipse::contacts_of(eclipse))
@@ -293,7 +293,7 @@ ordered_json contacts_in_ms(const eclipse::Eclipse& eclipse) {
   return all;
 }
 
-/// Clearness for each step of Danjon's scale; empty for air without belts.
+/// Clearness for each step on Danjon's scale. Air without belts gives an empty list.
 ordered_json danjon_steps(const atmosphere::Atmosphere& air, const almanac::SkyState& sky) {
   ordered_json steps = ordered_json::array();
   if (air.belts.empty()) return steps;
@@ -302,7 +302,7 @@ ordered_json danjon_steps(const atmosphere::Atmosphere& air, const almanac::SkyS
   return steps;
 }
 
-/// Abbreviations of the cities' time zones at two moments: {"America/Chicago": ["CDT", "CDT"]}.
+/// Abbreviations for the cities' time zones at two moments: {"America/Chicago": ["CDT", "CDT"]}.
 ordered_json zones_at(const almanac::Instant& from, const almanac::Instant& to) {
   std::set<std::string> names;
   for (const auto& city : almanac::largest_cities(cities)) names.insert(city.time_zone);

@@ -13,37 +13,37 @@
 
 namespace coppermoon::uses {
 
-/// Request for the page of an eclipse.
+/// Request for the interactive page of one eclipse.
 struct ExploreRequest {
-  MoonRequest moon{};  ///< map, photometry, and of its light the air and the Sun
-  std::optional<almanac::Observer> observer{};  ///< when the page opens; none: the Earth's centre
+  MoonRequest moon{};  ///< map and photometry; of its light, only air and Sun are used
+  std::optional<almanac::Observer> observer{};  ///< when the page opens; absent: the Earth's centre
   std::string place{}, time_zone{};             ///< the observer's
-  std::string options{};                        ///< options that end each command the page shows
+  std::string options{};                        ///< appended to each command that the page shows
 };
 
-/// Numbers by which a page lights the Moon at any moment of one eclipse.
+/// Numbers with which a page can light the Moon at any moment of one eclipse.
 struct Exploration {
   std::string title;  ///< "Total eclipse of the Moon, 2018-07-27"
   nlohmann::ordered_json facts;
   PageArrays arrays;
 };
 
-/// Gathers limb rays, motions, albedo, responses, views, places and names. No light is computed: the page sums it up
+/// Gathers limb rays, motions, albedo, responses, views, places and names. No light is computed here: the page sums it
 /// from the rays, as shadow::by_quadrature does.
 ///
 /// Throws  Error  as normal_albedo and atmosphere_of
 Exploration exploration_of(const eclipse::Eclipse& eclipse, const ExploreRequest& request,
                            const algebra::Progress& progress = {});
 
-/// Extent of an HTML text: a page, or a fragment for another page.
+/// Extent of the HTML: a whole page, or a fragment to embed in another page.
 enum class PageExtent { whole, fragment };
 
-/// HTML text that needs no other file and no network.
+/// The page as HTML that needs no other files and no network.
 std::string page_of(const Exploration& exploration, PageExtent extent = PageExtent::whole);
 
-/// Page that lists eclipses, with links to their pages.
+/// A page that lists eclipses, with links to their pages.
 ///
-/// Given  pages  names of their files, one for each eclipse
+/// Given  pages  file names of the pages, one for each eclipse
 std::string calendar_page(const std::vector<eclipse::Eclipse>& eclipses,
                           const std::vector<std::string>& pages);
 

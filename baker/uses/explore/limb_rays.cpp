@@ -25,8 +25,8 @@ using nlohmann::ordered_json;
 
 constexpr int refractivities = 3;
 
-/// Number of harmonics of the position angle. Light of belts differs by 0.2 % at most from that of all harmonics;
-/// borders of regions are smoothed over some ten degrees.
+/// Number of harmonics in position angle. With belts, light differs by at most 0.2 % from the sum of all harmonics.
+/// Borders of regions are smoothed over some ten degrees.
 constexpr int most_harmonics = 24;
 
 std::vector<double> tangent_heights_m(const atmosphere::Atmosphere& air) {
@@ -47,7 +47,7 @@ std::vector<double> tangent_heights_m(const atmosphere::Atmosphere& air) {
   return heights;
 }
 
-/// Whether ozone is a filter, of the same optical depth on every path.
+/// Whether ozone acts as a filter, with the same optical depth on every path.
 bool ozone_filters(const Column& column) {
   return column.ozone_du > 0 && column.ozone_path == atmosphere::OzonePath::filter;
 }
@@ -58,12 +58,12 @@ void set_aerosol(Column& column, double depth) {
       std::make_shared<atmosphere::StratosphericLayer>(depth, column.tropopause_m);
 }
 
-/// Rays of one part of the limb: its rows of the arrays.
+/// Rays for one part of the limb: its rows in the arrays.
 struct PartRays {
   std::vector<double> bending, excess_km, amounts, spectra, aerosol;
 };
 
-/// Rows of all parts, one behind another.
+/// The rows of all parts, one after another.
 std::vector<double> joined(const std::vector<PartRays>& parts,
                            std::vector<double> PartRays::*rows) {
   std::vector<double> all;
@@ -71,7 +71,7 @@ std::vector<double> joined(const std::vector<PartRays>& parts,
   return all;
 }
 
-/// Tracer of a part's rays.
+/// Traces the rays for a part of the limb.
 struct Follower {
   std::vector<double> heights_m, nodes;
   std::vector<atmosphere::Optics> optics;
@@ -108,9 +108,9 @@ struct Follower {
     }
   }
 
-  /// At the middle refractivity.
+  /// Adds the aerosol's optical depths along rays at the middle refractivity.
   void add_aerosol(const photons::WholeLimb::Part& part, PartRays& rays) const {
-    const double middle = nodes[(nodes.size() - 1) / 2];  // the last is that of straight rays
+    const double middle = nodes[(nodes.size() - 1) / 2];  // the last node has straight rays
     for (const double depth : aerosol_steps) {
       Column hazy = part.column;
       set_aerosol(hazy, depth);
@@ -161,7 +161,7 @@ void add_spectra_of_aerosol(PageArrays& arrays, std::span<const double> waveleng
   arrays.add("limb.aerosolSpectra", spectra);
 }
 
-/// Spectra of a month's own aerosol at other optical depths, where there is some.
+/// Adds spectra of the month's own aerosol at each optical depth, for parts that have such aerosol.
 void add_recorded_spectra(PageArrays& arrays, const photons::WholeLimb& limb,
                           std::span<const double> wavelengths_nm) {
   std::vector<double> numbers;
@@ -178,7 +178,7 @@ void add_recorded_spectra(PageArrays& arrays, const photons::WholeLimb& limb,
              {limb.parts().size(), std::size(aerosol_steps), wavelengths_nm.size()}, numbers);
 }
 
-/// Air with an optical depth of the stratosphere's aerosol everywhere.
+/// The air with the same optical depth of stratospheric aerosol everywhere.
 atmosphere::Atmosphere with_aerosol(atmosphere::Atmosphere air, double depth) {
   const auto set = [&](Column& column, atmosphere::Belts& belts) {
     set_aerosol(column, depth);
@@ -195,7 +195,7 @@ ordered_json add_limb_rays(PageArrays& arrays, const atmosphere::Atmosphere& atm
                            std::span<const double> wavelengths_nm) {
   Follower follower{
       tangent_heights_m(atmosphere), {}, shadow::optics_of(atmosphere, wavelengths_nm)};
-  // of the limb only the parts are needed: one wavelength and two rays are the fewest
+  // only the limb's parts are needed here, so use the fewest wavelengths and rays allowed
   const photons::WholeLimb limb(atmosphere, std::span(follower.optics).first(1), 2);
   const auto& first = limb.parts()[0].column;
   follower.nodes = photons::refractivity_nodes(first, follower.optics, refractivities);

@@ -10,7 +10,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Text with some characters replaced.
+/// The text with some characters replaced by escapes.
 std::string escaped(const std::string& text, const std::map<char, const char*>& escapes) {
   std::string safe;
   for (const char letter : text) {
@@ -24,7 +24,8 @@ std::string in_html(const std::string& text) {
   return escaped(text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}});
 }
 
-/// Page's own part. It shows a word until its script has begun. In its JSON "<" is escaped, so that it neither ends a script nor begins a comment.
+/// The page's own part, which shows a message until its script starts. In its JSON, "<" is escaped, so that it
+/// cannot end a script or begin a comment.
 std::string fragment_of(const Exploration& exploration, PageExtent extent) {
   auto facts = exploration.facts;
   facts["arrays"] = exploration.arrays.index();

@@ -13,36 +13,36 @@
 
 namespace coppermoon::uses {
 
-/// Arrays for a script in a page: little-endian, one behind another, compressed together.
+/// Arrays for a page's script: little-endian, one after another, compressed together.
 class PageArrays {
  public:
-  using Shape = std::vector<std::size_t>;  ///< the last index runs fastest
+  using Shape = std::vector<std::size_t>;  ///< the last index varies fastest
 
-  /// Adds numbers as floats of 32 bits.
+  /// Adds numbers as 32-bit floats.
   ///
-  /// Throws  Error  when a number is not finite, or their count is not the shape's
+  /// Throws  Error  when a number is not finite, or their count does not match the shape
   void add(const std::string& name, const Shape& shape, std::span<const double> numbers);
   void add(const std::string& name, const algebra::Grid<double>& numbers) {
     add(name, {numbers.rows(), numbers.columns()}, numbers.values());
   }
 
-  /// Adds bytes, each as its difference from the byte before it in its row, which compresses better.
+  /// Adds bytes, each as the difference from the previous byte in its row, which compresses better.
   ///
-  /// Throws  Error  when their count is not the shape's
+  /// Throws  Error  when their count does not match the shape
   void add(const std::string& name, const Shape& shape, const std::vector<std::uint8_t>& bytes);
 
-  /// Adds a text in UTF-8.
+  /// Adds UTF-8 text.
   void add(const std::string& name, std::string_view text);
 
-  /// Adds all arrays of another.
+  /// Appends all arrays from another object.
   void append(const PageArrays& others);
 
-  /// Places of the arrays: {name: {"kind": "f32", "u8" or "text", "shape": […], "at": byte}}.
+  /// Where each array is: {name: {"kind": "f32", "u8" or "text", "shape": […], "at": byte}}.
   const nlohmann::ordered_json& index() const { return index_; }
 
-  /// All arrays in zlib's format (RFC 1950), as base64.
+  /// All arrays, compressed in zlib's format (RFC 1950) and encoded as base64.
   ///
-  /// Throws  Error  when there is too little memory
+  /// Throws  Error  when memory runs out
   std::string text() const;
 
  private:

@@ -31,7 +31,7 @@ void require_ending(const fs::path& file, const char* what, const char* ending) 
     throw algebra::Error(fmt::format("{}: a {} ends in {}", file.string(), what, ending));
 }
 
-/// Refuses a file in the film's folder that has the name of a frame's.
+/// Refuses a file in the film's folder that has the name of a frame's file.
 void require_no_frame(const fs::path& file, Film film) {
   film.products = {.textures = true, .frames = true, .pictures = true, .high_range = true};
   film.bracket_ev = 1;
@@ -42,7 +42,7 @@ void require_no_frame(const fs::path& file, Film film) {
             fmt::format("{}: is the name of a frame, allowed another", file.string()));
 }
 
-/// Refuses a path where no file can be; the film's own folder need not be there yet.
+/// Refuses a path where no file can be written; the film's own folder need not exist yet.
 void require_place_for(const fs::path& file, const Film& film) {
   if (file.empty()) return;
   const auto folder = fs::weakly_canonical(fs::absolute(file)).parent_path();
@@ -57,7 +57,7 @@ void require_product(bool made, const fs::path& file, const char* what, const ch
                                      file.string(), what, product));
 }
 
-/// Brightness of the whole disc in a frame, above the air, from the Earth's centre.
+/// Brightness of the whole disc in a frame, above the air, as seen from the Earth's centre.
 struct CurvePoint {
   std::size_t frame;
   almanac::Instant when;
@@ -67,11 +67,12 @@ struct CurvePoint {
 
 using Curve = std::vector<CurvePoint>;
 
-/// Light curve of some frames, from the film's own light.
+/// Light curve over some frames, from the film's own light.
 ///
-/// Accuracy  5e-4 mag, and as much of luminance, from brightness_of, which simulates each moment on twice as many rows
+/// Accuracy  agrees with brightness_of, which simulates each moment on twice as many rows, to 5e-4 mag, and to the same
+///           fraction in luminance
 Curve curve_of(const Film& film, const std::vector<std::size_t>& frames) {
-  constexpr std::size_t rows = 180;  // of the textures that are measured
+  constexpr std::size_t rows = 180;  // in the textures that are measured
   const MoonSurvey survey(film.moon, texture::resized(normal_albedo(film.moon), rows), *film.light);
   Curve curve(frames.size());
   tbb::parallel_for(std::size_t{0}, frames.size(), [&](std::size_t i) {
@@ -82,7 +83,7 @@ Curve curve_of(const Film& film, const std::vector<std::size_t>& frames) {
   return curve;
 }
 
-/// Number as text; empty where it is not finite.
+/// A number as text; empty if it is not finite.
 std::string number(double value, int decimals) {
   return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "";
 }
@@ -97,7 +98,7 @@ std::string as_csv(const eclipse::Eclipse& eclipse, const Curve& curve) {
   return text;
 }
 
-/// Curve in one panel: hours against a column.
+/// The curve for one panel: a column against hours.
 PlotCurve drawn(const eclipse::Eclipse& eclipse, const Curve& curve, double CurvePoint::*column) {
   std::string data;
   for (const auto& point : curve)
@@ -115,7 +116,7 @@ Plot plot_of(const eclipse::Eclipse& eclipse, const Curve& curve) {
   return plot;
 }
 
-/// Writes a curve as a table in .csv, or as a plot with the eclipse's contacts.
+/// Writes a curve as a table if the file is .csv, otherwise as a plot with the eclipse's contacts.
 void write_curve(const fs::path& path, const eclipse::Eclipse& eclipse, const Curve& curve) {
   if (path.extension() == ".csv")
     files::write_whole(path, as_csv(eclipse, curve));
@@ -135,7 +136,7 @@ double exposure_scale_of(const Development& development, const fs::path& frame) 
                    number_in_header(frame, "isoSpeed")});
 }
 
-/// Adds a frame's exposure to the film, which is empty before the first.
+/// Adds a frame's exposure to the film, which is empty before the first frame.
 void expose(const Development& development, texture::Image& film, const fs::path& frame) {
   const auto image = texture::read_image(frame);
   if (film.values.empty()) film = texture::Image(image.width, image.height, image.channels);
@@ -155,8 +156,8 @@ void expose(const Development& development, texture::Image& film, const fs::path
 ///
 ///     value = Σ s L        s: exposure_scale of the frame
 ///
-/// Of frames that hold a sky it is the greatest s L in each pixel, as photographers blend by lightening: a sum would hold
-/// many skies.
+/// If the frames hold a sky, each pixel is instead the greatest s L, as when photographers blend in lighten mode: a sum
+/// would add up many skies.
 ///
 /// Omits   occultation where Moons overlap
 /// Throws  Error  when a frame cannot be read, differs in size from the first, or has no exposure in its header

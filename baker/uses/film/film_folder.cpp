@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Name of a numbered file without its number: "frame" and ".png" of "frame.0012.png".
+/// Name of a numbered file without its number: "frame" and ".png" for "frame.0012.png".
 std::pair<std::string, std::string> around_number(const fs::path& file) {
   return {file.stem().stem().string(), file.extension().string()};
 }
@@ -44,14 +44,14 @@ std::vector<fs::path> numbered_files(const Film& film) {
   return files;
 }
 
-/// File that may not be of the film.
+/// A file that may not belong to the film.
 struct Foreign {
   fs::path file;
-  std::string contents;  ///< in words; empty where the file is of this film, or damaged
+  std::string contents;  ///< in words; empty if the file belongs to this film, or is damaged
 };
 
 std::string contents_of(const Film& film, const fs::path& file) {
-  if (fs::is_symlink(file)) return "a link";  // to write through it would change a file elsewhere
+  if (fs::is_symlink(file)) return "a link";  // writing through it would change a file elsewhere
   return film.record.foreign_contents(file);
 }
 
@@ -65,7 +65,7 @@ std::vector<fs::path> files_beside_frames(const Film& film) {
   return files;
 }
 
-/// Contents of a link, or of a file that coppermoon did not write, in words. film_light refuses another film's light.
+/// What a link, or a file that coppermoon did not write, contains, in words. film_light refuses another film's light.
 std::string contents_beside_frames(const fs::path& file) {
   if (fs::is_symlink(file)) return "a link";
   const bool ours = file.filename() == light_file ? is_light(file) : files::is_stamped(file);
@@ -84,13 +84,13 @@ std::vector<Foreign> foreign_files(const Film& film) {
   return all;
 }
 
-/// By its seal, or by PNG's own checksums.
+/// Whether a file is whole, by its seal or by PNG's own checksums.
 bool is_whole(const fs::path& file) {
   return file.extension() == ".png" ? texture::read_image(file).width > 0
                                     : texture::is_sealed(file);
 }
 
-/// Whether a file is of that frame, whole, and of this film as `alike` finds.
+/// Whether a file is whole, shows the given frame, and belongs to this film according to `alike`.
 bool is_whole_of(const fs::path& file, std::size_t frame, const auto& alike) try {
   return fs::is_regular_file(fs::symlink_status(file)) &&
          texture::read_attribute(file, "coppermoon:frame") == fmt::format("{}", frame) &&

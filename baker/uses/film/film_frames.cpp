@@ -52,7 +52,7 @@ BakedMoon texture_of(const Film& film, const LitMoon& lit, std::size_t frame) {
   }
   auto header = header_of(film, frame);
   auto moon = baked(lit, content, {.extent = extent, .recipe = [](const auto&, const auto&) {
-                                     return std::string();  // the film's, of its header
+                                     return std::string();  // the film's is in the header
                                    }});
   for (const auto& [name, value] : header) moon.attributes[name] = value;
   moon.attributes["framesPerSecond"] =
@@ -69,7 +69,7 @@ void write_texture(const Film& film, std::size_t frame, const BakedMoon& moon) {
                            type_of(film.content));
 }
 
-/// Exposure time at a moment [s]: logarithms are interpolated between keys; the outermost keys hold beyond them.
+/// Exposure time at a moment [s]: interpolated between keys on a logarithmic scale; constant beyond the outermost keys.
 double keyed_time_s(const Film& film, const almanac::Instant& when) {
   const auto& keys = film.time_keys;
   const auto above = std::ranges::find_if(
@@ -82,7 +82,7 @@ double keyed_time_s(const Film& film, const almanac::Instant& when) {
   return before * std::pow(above->second / before, share);
 }
 
-/// Scene of a frame, and facts of it; of a scene of the user's own none, since the disc may be anywhere in it.
+/// A frame's scene and what is known about it: nothing for a user's own scene, in which the disc may be anywhere.
 struct Rendered {
   std::size_t frame;
   LitScene scene;
@@ -130,7 +130,7 @@ void write_pictures(const Film& film, const Rendered& rendered, const texture::I
 
 /// Writes a frame and its pictures.
 ///
-/// Given  frame  in the film's space
+/// Given  frame  in the film's colour space
 MadeFrame finished(const Film& film, const Rendered& rendered, const LinearFrame& frame) {
   const auto whole = frame.whole();
   const auto exposures = exposures_of(film, rendered, whole);
@@ -156,7 +156,7 @@ void render_scene(const Film& film, Frames frames, int threads, const WhenMade& 
   }
 }
 
-/// Bakes a batch of frames, has one process of POV-Ray render it, and develops each frame as it comes.
+/// Bakes a batch of frames, has one POV-Ray process render them, and develops each frame as it arrives.
 void render(const Film& film, Frames frames, int threads, const WhenMade& when_made) {
   const files::TemporaryFolder folder;
   const auto texture_file = [&](std::size_t number) {
@@ -176,7 +176,7 @@ void render(const Film& film, Frames frames, int threads, const WhenMade& when_m
     } else {
       texture::write_exr(path, moon.parts, moon.attributes, {.packed = false});
     }
-    moon.parts.clear();  // written; they hold the light
+    moon.parts.clear();  // they are written, and would keep the light in memory
     sequence.cameras.push_back(scene.view.camera);
     lights.push_back(sky_lights(scene.view, scene.moon.sky));
   }
@@ -197,7 +197,7 @@ void render(const Film& film, Frames frames, int threads, const WhenMade& when_m
       {.threads = threads, .window = disc_window(sequence.cameras)});
 }
 
-/// Writes a linear frame's header and pictures anew under another exposure; its pixels stay.
+/// Rewrites a linear frame's header and pictures for another exposure; its pixels stay.
 void expose(const Film& film, std::size_t frame, const WhenMade& when_made) {
   const auto rendered = rendered_of(film, frame);
   if (film.products.textures && !is_own(film, film.texture(frame), frame))
@@ -219,8 +219,8 @@ double texels_of(const Film& film) {
   return width * width / 2;
 }
 
-/// Number of batches at a time: one more than processors, since POV-Ray sleeps at its start, within half of the
-/// memory. POV-Ray takes 28 bytes a texel.
+/// Number of batches at a time: one more than there are processors, since POV-Ray sleeps when it starts, but within
+/// half of the memory. POV-Ray takes 28 bytes per texel.
 std::size_t lanes_of(const Film& film, std::size_t processors) {
   if (processors == 1) return 1;
   const auto [width, height] = std::pair(film.view.width, film.view.height);
@@ -232,8 +232,8 @@ std::size_t lanes_of(const Film& film, std::size_t processors) {
   return static_cast<std::size_t>(std::min(most, static_cast<double>(processors + 1)));
 }
 
-/// Number of frames that one process of POV-Ray renders: their textures take 256 MB at most, and every lane gets two
-/// batches or more, so that all end together.
+/// Number of frames that one POV-Ray process renders: their textures take at most 256 MB, and every lane gets at least
+/// two batches, so that all finish at about the same time.
 std::size_t frames_a_batch(const Film& film, std::size_t frames, std::size_t lanes) {
   if (!film.products.rendered()) return 1;
   constexpr double waiting = 256e6, most = 16;
@@ -241,7 +241,7 @@ std::size_t frames_a_batch(const Film& film, std::size_t frames, std::size_t lan
   return std::min(static_cast<std::size_t>(fit), std::max<std::size_t>(1, frames / (2 * lanes)));
 }
 
-/// Frames that are not made yet; calls events.kept for the others.
+/// The frames that are not made yet; calls events.kept for the others.
 std::vector<std::size_t> missing_of(const Film& film, const std::vector<std::size_t>& frames,
                                     const FilmEvents& events) {
   std::vector<char> there(frames.size());

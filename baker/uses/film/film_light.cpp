@@ -14,7 +14,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Moon on its way through the film.
+/// The Moon along its path during the film.
 ShadowedMoon moon_of(const Film& film, const LightRequest& request) {
   const auto& frames = film.moments.frames;
   return moon_on_its_way(request, skies_between(frames.front(), frames.back()));
@@ -34,18 +34,18 @@ Purpose purpose_of(const Film& film) {
   return {width * width / 2, reads_map(film.moon)};
 }
 
-/// Request that adds the photons of all shards in a folder.
+/// The request, with the photons of all shards in a folder added.
 LightRequest with_shards(LightRequest request, const std::filesystem::path& folder) {
   if (!wants_photons(request)) return request;
   if (request.solver == Solver::automatic) request.solver = Solver::table;
   auto& sums = request.photon_files.add;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.path().extension() == ".sums") sums.push_back(entry.path());
-  std::ranges::sort(sums);  // sums of the same order have the same bits
+  std::ranges::sort(sums);  // adding in the same order gives the same bits
   return request;
 }
 
-/// Differences of the light in the folder from that asked for, by a request or by a recipe whose work is planned.
+/// How the light in the folder differs from the light asked for, by a request or by a recipe whose work is planned.
 std::vector<request::Difference> differences_of(const KeptLight& known,
                                                 const request::Recipe& asked) {
   const auto there = light_key_in(known.key);
@@ -53,7 +53,7 @@ std::vector<request::Difference> differences_of(const KeptLight& known,
   return request::differences(there, asked);
 }
 
-/// Light kept in the folder; nothing where it is another film's or not complete.
+/// Light kept in the folder; nothing if it is another film's or incomplete.
 std::optional<Moonlight> kept_on_the_way(const Film& film, const ShadowedMoon& moon, bool replace) {
   auto known = read_light(film.folder / light_file);
   if (!known) return std::nullopt;

@@ -33,20 +33,20 @@ std::vector<fs::path> pictures_of(const Film& film, const std::vector<std::size_
   return pictures;
 }
 
-/// Links pictures under numbers without a gap, as ffmpeg reads them.
+/// Links pictures under consecutive numbers, as ffmpeg requires.
 void number_pictures(const fs::path& folder, const std::vector<fs::path>& pictures) {
   for (std::size_t i = 0; i < pictures.size(); ++i)
     fs::create_symlink(fs::absolute(pictures[i]), folder / fmt::format("{:07}.png", i));
 }
 
-/// Primaries and transfer characteristics of a display's code values, named as by ffmpeg.
+/// Primaries and transfer characteristics of a display's code values, with ffmpeg's names.
 ///
 /// Source  ITU-T H.273
 struct DisplayCoding {
   const char *display, *primaries, *transfer;
 };
 
-/// Coding of a display of the built-in configuration; of any other display that of sRGB.
+/// Coding of a display in the built-in configuration; for any other display, that of sRGB.
 DisplayCoding coding_of(const std::string& display) {
   constexpr std::array<DisplayCoding, 3> others{{{"Rec.1886 Rec.709", "bt709", "bt709"},
                                                  {"Display P3", "smpte432", "iec61966-2-1"},
@@ -55,8 +55,8 @@ DisplayCoding coding_of(const std::string& display) {
   return found != others.end() ? *found : DisplayCoding{"sRGB", "bt709", "iec61966-2-1"};
 }
 
-/// Arguments of ffmpeg for pictures' numbers. The filter `setparams` tags the frames, as ffmpeg 7 would tag all that comes
-/// from PNGs as sRGB, whatever -color_trc says.
+/// Arguments that tell ffmpeg how the pictures' numbers are coded. The filter `setparams` tags the frames, since
+/// ffmpeg 7 would tag all that comes from PNGs as sRGB, whatever -color_trc says.
 std::string coding(const char* matrix, const char* format, const DisplayCoding& tags) {
   return fmt::format(
       "scale=out_color_matrix={}:out_range=tv:flags=accurate_rnd+full_chroma_int,format={},"
@@ -67,12 +67,12 @@ std::string coding(const char* matrix, const char* format, const DisplayCoding& 
 
 constexpr DisplayCoding high_range_tags{"Rec.2100-PQ", "bt2020", "smpte2084"};
 
-/// Arguments of ffmpeg for a film of standard dynamic range.
+/// ffmpeg's arguments for a film of standard dynamic range.
 std::string standard_range_coding(const std::string& display) {
   return coding("bt709", "yuv420p", coding_of(display)) + "-c:v libx264 -crf 16";
 }
 
-/// Arguments of ffmpeg for ProRes 422 HQ, with the vendor that editing programs look for.
+/// ffmpeg's arguments for ProRes 422 HQ, with the vendor code that editing programs look for.
 std::string prores_coding(const Film& film) {
   constexpr const char* format = "yuv422p10le";
   return (film.products.high_range ? coding("bt2020", format, high_range_tags)
@@ -80,7 +80,7 @@ std::string prores_coding(const Film& film) {
          "-c:v prores_ks -profile:v hq -vendor apl0";
 }
 
-/// Arguments of ffmpeg for HDR10. SMPTE ST 2086 counts chromaticities, here Rec.2020's, in steps of 0.00002, and light
+/// ffmpeg's arguments for HDR10. SMPTE ST 2086 counts chromaticities, here Rec.2020's, in steps of 0.00002, and light
 /// in steps of 0.0001 cd/m².
 std::string high_range_coding(const LightLevels& levels) {
   const auto whole = [](double light) { return std::max(1., std::ceil(light)); };
@@ -102,7 +102,7 @@ std::string coding_for(const fs::path& movie, const Film& film,
                                   : standard_range_coding(film.development.display);
 }
 
-/// Command line of ffmpeg. It opens its output by name, for it goes back in it.
+/// ffmpeg's command line. ffmpeg opens its output by name, because it has to seek back in it.
 std::vector<std::string> command(const FrameRate& fps, const std::string& coding,
                                  const fs::path& movie) {
   std::istringstream words(
@@ -115,7 +115,7 @@ std::vector<std::string> command(const FrameRate& fps, const std::string& coding
 
 constexpr std::size_t codes = 65536;
 
-/// Luminance of each 16-bit code of PQ [cd/m²].
+/// Luminance for each 16-bit PQ code [cd/m²].
 std::vector<double> light_of_codes() {
   constexpr double most = 1e4;
   std::vector<double> light(codes);

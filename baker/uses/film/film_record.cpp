@@ -26,7 +26,7 @@ constexpr const char *recipe_attribute = "coppermoon:recipe",
                      *view_attribute = "coppermoon:view_contents",
                      *view_contents_name = "view-contents";
 
-/// Recipe of a file, with the program's version and the fingerprints of the map and the view as settings.
+/// A file's recipe, with the program's version and the fingerprints of the map and the view as further settings.
 Recipe account_of(const Recipe& recipe, std::string_view version, const std::string& map,
                   const std::string& view) {
   const auto setting = [](const char* name, std::string_view text, Affects affects) {
@@ -50,9 +50,9 @@ Recipe planned_account(const FilmRecord& record) {
   return account_of(planned_recipe(record), version(), record.map_contents, record.view_contents);
 }
 
-/// Account that a file's header keeps; empty without a recipe that can be read.
+/// The account in a file's header; empty if it has no recipe that can be read.
 ///
-/// Throws  Error  when it is no image
+/// Throws  Error  when the file is not an image
 Recipe account_in(const std::filesystem::path& file) {
   constexpr std::array<std::string_view, 4> names{recipe_attribute, version_attribute,
                                                   map_attribute, view_attribute};
@@ -66,7 +66,7 @@ Recipe account_in(const std::filesystem::path& file) {
   }
 }
 
-/// Whether a file depends on a setting, by its name: a texture has no camera, and a frame no view.
+/// Whether a file depends on a setting, judged by the file's name: a texture has no camera, and a frame no view.
 bool depends_on(const std::filesystem::path& file, const Setting& setting) {
   if (file.extension() == ".png") return true;
   return file.filename().string().starts_with("moon_") ? setting.affects <= Affects::sight
@@ -81,7 +81,7 @@ std::string in_words(const request::Difference& difference) {
   };
   if (name == "albedo-map-contents" && but_scene(there) == but_scene(asked))
     return "other contents of scene";
-  const auto of_map = [](const std::string& contents) {  // before those of a response's file
+  const auto of_map = [](const std::string& contents) {  // comes before a response file's
     return contents.substr(0, contents.find(' '));
   };
   if (name == "albedo-map-contents" && of_map(there) == of_map(asked))

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* stars_name = "eclipse_stars.inc";
 
-/// Adds the bytes of a file and of those beside it that it names; each once. Ours, which are of the frame, are left out.
+/// Adds the bytes of a file and of the files beside it that it names, each once. Our own, made per frame, are left out.
 void add_contents(const fs::path& file, std::set<fs::path>& seen, std::string& all) {
   static const std::set<fs::path> ours{"moon.inc", "coppermoon.inc", stars_name};
   std::error_code none;
@@ -80,7 +80,7 @@ texture::Image rendered_scene(const Film& film, std::size_t frame, const LitScen
   texture::write_exr(beside(texture_stem + std::string(".exr")), scene.texture.parts,
                      scene.texture.attributes, {.packed = false});
   write_moon_include(folder.path(), scene, film.view);
-  if (!fs::exists(beside(stars_name)))  // without stars a scene that asks for them is sound
+  if (!fs::exists(beside(stars_name)))  // so that a scene that includes it works without stars
     files::write_whole(beside(stars_name), povray_scenes::star_include("no stars", {}));
   write_sky(beside(povray_scenes::sky_file), scene.moon, film.view);
   const auto [width, height] = std::pair(film.view.width, film.view.height);

@@ -21,7 +21,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Refuses textures that POV-Ray cannot read: other spaces, passes and spectra. Frames get their space and passes after
+/// Refuses textures that POV-Ray cannot read: other colour spaces, passes and spectra. Frames get theirs after
 /// rendering.
 void require_content(const Film& film) {
   require_sound(film.content);
@@ -77,7 +77,7 @@ void mount(Film& film, const Mounting& mounting) {
       mounting.aim ? *mounting.aim : apparent_place(*film.view.observer, film.sky(half_way));
 }
 
-/// Refuses a Moon below the horizon in any of a few hundred frames, spread evenly; a landscape needs none.
+/// Refuses a Moon below the horizon in any of a few hundred evenly spread frames; a landscape needs no Moon.
 void require_up(const Film& film, const std::vector<std::size_t>& frames) {
   if (!film.scene.empty() || !film.view.observer || film.products.light_alone() || frames.empty())
     return;
@@ -99,7 +99,7 @@ void require_up(const Film& film, const std::vector<std::size_t>& frames) {
       almanac::utc_text(film.moments.at(first), film.moments.eclipse.calendar), last));
 }
 
-/// Width of all textures [texels], for the nearest Moon of the first, middle and last frame.
+/// Width of all textures [texels], for the nearest Moon in the first, middle and last frames.
 std::size_t widest_texture(const Film& film) {
   if (film.moon.texture_width || !film.products.framed()) return texture_width_of(film.moon);
   std::size_t widest = 0;
@@ -116,16 +116,16 @@ povray_scenes::HorizonPlace place_of(double altitude, double azimuth) {
   return {algebra::radians(altitude), algebra::radians(azimuth)};
 }
 
-/// Apparent Moons (in_sky), and the picture's shape.
+/// Apparent directions of the Moons (in_sky), and the picture's shape.
 struct Moons {
   std::vector<glm::dvec3> directions;
   double sine_of_radius;  ///< of the largest disc
   double width_over_height;
 };
 
-/// Half of the field across the picture that holds a whole Moon; π / 2 where none does.
+/// Half the field across the picture that takes in a whole Moon; π / 2 if none does.
 ///
-///     angle to the plane of a side, through the camera: at least the Moon's radius
+///     The angle between the Moon and the plane through the camera and a side is at least the Moon's radius.
 double half_field_for(const Moons& moons, const glm::dvec3& moon,
                       const povray_scenes::HorizonPlace& aim) {
   const auto ahead = in_sky(aim.altitude, aim.azimuth);
@@ -141,15 +141,15 @@ double half_field_for(const Moons& moons, const glm::dvec3& moon,
   return std::max(half(across), std::atan(std::tan(upright) * moons.width_over_height));
 }
 
-/// The same for all Moons.
+/// Half the field across the picture that takes in all Moons.
 double half_field_for(const Moons& moons, const povray_scenes::HorizonPlace& aim) {
   double most = 0;
   for (const auto& moon : moons.directions) most = std::max(most, half_field_for(moons, moon, aim));
   return most;
 }
 
-/// Aim that needs the narrowest field, in steps of 0.1 degrees: a search by ever smaller steps from the middle of all
-/// Moons on.
+/// The aim that needs the narrowest field, in steps of 0.1 degrees: searches from the middle of all Moons with ever
+/// smaller steps.
 povray_scenes::HorizonPlace best_aim(const Moons& moons) {
   constexpr double tenth = 0.1 * degree, highest = 89 * degree;
   glm::dvec3 sum(0);

@@ -25,16 +25,16 @@ namespace fs = std::filesystem;
 
 using Lux = std::array<double, 3>;
 
-constexpr std::size_t rows = 180;  ///< of the textures that are measured
+constexpr std::size_t rows = 180;  ///< in the textures that are measured
 
-/// Film of the same Moon in sunlight.
+/// The film with its Moon in full sunlight.
 Film in_sunlight(Film film) {
   film.moon.unshadowed = true;
   film.light = std::make_shared<const Moonlight>();
   return film;
 }
 
-/// Film whose textures are small enough to be measured.
+/// The film with textures that are small enough to be measured.
 Film in_little(Film film) {
   film.albedo = std::make_shared<const algebra::Grid<float>>(texture::resized(*film.albedo, rows));
   film.ground = ground_of(film.moon, *film.albedo);
@@ -47,7 +47,7 @@ Film in_little(Film film) {
 /// A frame on the stage.
 struct StageFrame {
   texture::UsdMoment moment;
-  double seconds = 0;  ///< from greatest eclipse
+  double seconds = 0;  ///< since greatest eclipse
   Lux sunlit{};        ///< illuminance without the Earth's shadow
 };
 
@@ -67,13 +67,13 @@ std::vector<StageFrame> frames_of(const Film& film, const std::vector<std::size_
   return frames;
 }
 
-/// Share of the last frame's sunlit Moon in a frame: the rest is the first's.
+/// Share of the last frame's sunlit Moon in a frame; the rest comes from the first frame.
 double share_of(const std::vector<StageFrame>& frames, std::size_t i) {
   const double first = frames.front().seconds, last = frames.back().seconds;
   return (frames[i].seconds - first) / (last - first);
 }
 
-/// Attribute with its first value and samples, one a frame.
+/// An attribute with its first value and one sample per frame.
 template <class Value>
 std::string samples(const char* declared, const std::vector<StageFrame>& frames,
                     const Value& value) {

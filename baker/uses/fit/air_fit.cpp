@@ -16,8 +16,9 @@ std::vector<double> evenly(double from, double to, int steps) {
   return all;
 }
 
-/// Steps of the three axes in each look: the first finds where it is probable, later ones have steps of half a standard
-/// deviation once the interval is known. Intervals that are narrower than the last look's steps are looked at again.
+/// Number of looks at the grid, and steps of each axis. The first look finds the probable range; later ones have
+/// steps of half a standard deviation once the interval is known. If an interval is narrower than the last steps,
+/// another look follows.
 constexpr std::size_t looks = 3, most_looks = 6;
 constexpr std::array<std::array<int, 3>, looks> axis_steps{
     {{20, 14, 8}, {20, 16, 10}, {24, 20, 12}}};
@@ -31,7 +32,7 @@ bool are_fine(const Axes& axes, const Posterior& posterior) {
   return true;
 }
 
-/// Axes over a range.
+/// Axes that cover a range.
 Axes axes_over(Unknowns unknowns, const AirRange& range) {
   Axes axes;
   for (std::size_t a = 0; a < axes.size(); ++a) {
@@ -41,7 +42,7 @@ Axes axes_over(Unknowns unknowns, const AirRange& range) {
   return axes;
 }
 
-/// Range in which the light of all data sets is known.
+/// Range within which the light of all data sets is known.
 AirRange range_of(std::span<const DataSet> data) {
   auto range = data.front().light.range();
   for (const auto& set : data)
@@ -52,9 +53,9 @@ AirRange range_of(std::span<const DataSet> data) {
   return range;
 }
 
-/// Axes of a look over the range that is probable by a coarser grid.
+/// Axes for a look at the range that a coarser grid found probable.
 Axes axes_about(const Posterior& known, const Axes& coarser, std::size_t look) {
-  constexpr double beyond = 2;  // interval widths beyond it: five deviations from the median
+  constexpr double beyond = 2;  // in widths of the interval: to five deviations from the median
   Axes axes;
   for (std::size_t a = 0; a < axes.size(); ++a) {
     const auto& [median, low, high, information] = known.estimates[a];
@@ -72,7 +73,7 @@ struct Evaluation {
   std::vector<algebra::Grid<ClockError>> clocks;  ///< [data set]
 };
 
-/// Adds χ² of a data set, and notes its clock, for each amount of cloud at one aerosol and ozone.
+/// Adds a data set's χ² for each amount of cloud at one aerosol and ozone, and records its clock.
 void add_over_cloud(const DataSet& data, const FittedLight::OverCloud& light,
                     const std::vector<double>& clouds, std::span<double> chi_squared,
                     std::span<ClockError> clocks) {
@@ -83,7 +84,7 @@ void add_over_cloud(const DataSet& data, const FittedLight::OverCloud& light,
   }
 }
 
-/// Values of an unknown at the places of an axis.
+/// Values of an unknown at the points of an axis.
 std::vector<double> values_on(const std::vector<double>& axis, const Unknown& unknown) {
   std::vector<double> values;
   for (const double place : axis) values.push_back(unknown.from_axis(place));
@@ -109,7 +110,7 @@ Evaluation evaluated(const Axes& axes, std::span<const DataSet> data,
   return all;
 }
 
-/// Posterior mean and standard error of a clock's correction, over all air; χ² and variances scaled by a factor.
+/// Posterior mean and standard error of a clock's correction over all air, with χ² and variances scaled by a factor.
 ClockError over_all_air(const algebra::Grid<double>& chi_squared, double least, double scale,
                         const algebra::Grid<ClockError>& clocks) {
   double sum = 0, mean = 0, squares = 0;
@@ -124,7 +125,7 @@ ClockError over_all_air(const algebra::Grid<double>& chi_squared, double least, 
   return {mean, std::sqrt(std::max(0., squares / sum - mean * mean)), {}};
 }
 
-/// Posterior with all variances larger by a factor; where the grid's steps are fine, between its points too.
+/// Posterior with all variances enlarged by a factor; if the grid's steps are fine, it is interpolated between points.
 Posterior posterior_over(const Axes& axes, const algebra::Grid<double>& chi_squared, double scale) {
   std::vector<double> scaled;
   for (std::size_t i = 0; i < axes[0].size(); ++i)
@@ -138,7 +139,7 @@ Posterior posterior_over(const Axes& axes, const algebra::Grid<double>& chi_squa
   return posterior(finer_axes, scaled);
 }
 
-/// Numbers of the unknowns where χ² is least.
+/// Values of the unknowns where χ² is least.
 AirNumbers best_of(const Axes& axes, const std::array<Unknown, 3>& unknowns,
                    const algebra::Grid<double>& chi_squared) {
   const auto place = static_cast<std::size_t>(std::ranges::min_element(chi_squared.values()) -
@@ -154,7 +155,7 @@ double freedom_of(std::size_t measurements) {
   return std::max(1., static_cast<double>(measurements) - 3);
 }
 
-/// χ² that chance exceeds in a sixth of all fits whose errors are as believed: one standard deviation above the mean.
+/// χ² one standard deviation above its mean: if errors are as assumed, a sixth of all fits exceed it by chance.
 double chi_squared_by_chance(double freedom) { return freedom + std::sqrt(2 * freedom); }
 
 }  // namespace

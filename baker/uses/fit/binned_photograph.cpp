@@ -23,8 +23,8 @@ Channel plane_of(const colour::Image& image, std::size_t k) {
   return channel;
 }
 
-/// Light of the sky and of a glow in a channel. Where the sky's noise is cut off at black the sky counts as 0, with an
-/// error of what is measured. Where the sky is darker than tone curves are known the glow keeps its prior.
+/// Light from the sky and from glow in a channel. If the sky's noise is cut off at black, the sky counts as 0, with the
+/// measured light as its error. If the sky is too dark for the tone curve to be known, the glow keeps its prior.
 SkyAndGlow light_beside(const AroundTheDisc& light, const AroundTheDisc& black,
                         const AroundTheDisc& glow, const Uncertain& prior, bool linear) {
   constexpr double much = 0.05, of_glow = 0.25, fixed = 1e-9;
@@ -40,27 +40,27 @@ SkyAndGlow light_beside(const AroundTheDisc& light, const AroundTheDisc& black,
 /// Sums over a bin's pixels.
 struct SumOfBin {
   double light = 0, displayed = 0, sunlit = 0, glow = 0, black = 0;
-  double squares = 0;        ///< of differences between pixels two apart
+  double squares = 0;        ///< of the differences between pixels two apart
   double light_squares = 0;  ///< of the pixels' light
   std::size_t pixels = 0, clipped = 0, pairs = 0;
-  ToneSlopes slopes{};  ///< derivatives of the light
+  ToneSlopes slopes{};  ///< derivatives of light
 
-  /// Whether few pixels are black or clipped: means over others would be biased.
+  /// Whether few enough pixels are black or clipped; otherwise the mean over the others would be biased.
   bool sound() const {
     constexpr double few = 0.02;
     const auto all = static_cast<double>(pixels);
     return pixels >= 40 && static_cast<double>(clipped) <= 0.005 * all && black <= few * all;
   }
-  /// Whether the mean is in the range of tone curves.
+  /// Whether the mean is bright enough for the tone curve to be known.
   bool bright_enough() const {
     return displayed >= colour::least_displayed * static_cast<double>(pixels);
   }
   double ratio() const { return light / sunlit; }
   double mean() const { return light / static_cast<double>(std::max<std::size_t>(1, pixels)); }
-  /// Standard error of the ratio by rounding to steps of light. Where light differs by more than half a step between
-  /// pixels, a pixel's error is its own: a mean's is that of a step, times the characteristic function of a normal
-  /// distribution. Those of a JPEG's colours are common to a block of it. A camera's own curve is not known to a step
-  /// near black: all pixels' errors are then alike.
+  /// Standard error of the ratio due to rounding to steps of light. If light differs between pixels by more than half a
+  /// step, their errors are independent: the mean's is a step's, times the characteristic function of a normal
+  /// distribution. The errors of a JPEG's colours are shared by a block. A camera's own curve is not known to within a
+  /// step near black, so that all pixels then share one error.
   double error_of_steps(double step, bool curved) const {
     constexpr double of_a_step = 0.3, two_pi_squared = 2 * std::numbers::pi * std::numbers::pi,
                      block = 256;
@@ -72,7 +72,7 @@ struct SumOfBin {
     return of_pixel * std::hypot(std::exp(-two_pi_squared * variance / (step * step)),
                                  std::sqrt(std::min(1., block / all)));
   }
-  /// Standard error of the ratio, from pixels two apart, as light varies across a bin.
+  /// Standard error of the ratio, from pixels two apart, because light varies across a bin.
   ///
   /// Given  noise_of_means  as colour::noise_of_means
   double error(double noise_of_means) const {
@@ -81,7 +81,7 @@ struct SumOfBin {
   }
 };
 
-/// Channel of a function of each value.
+/// Applies a function to each value of a channel.
 template <class Function>
 Channel mapped(Channel channel, const Function& function) {
   for (float& value : channel.values()) value = function(value);
@@ -92,13 +92,13 @@ float is_black(float value) { return value <= 0 ? 1 : 0; }
 
 /// One channel of a photograph, resampled to the pixels of the scene.
 struct Brought {
-  Channel displayed;  ///< by sRGB
+  Channel displayed;  ///< sRGB-coded
   Channel light;      ///< with the tone curve undone
   Channel black;      ///< share of black pixels
   Channel glow;       ///< computed for the usual air
 };
 
-/// Adds derivatives of a pixel's light above the sky's by the numbers of a tone curve.
+/// Adds the derivatives of a pixel's light above the sky with respect to the numbers of a tone curve.
 void add_slopes(ToneSlopes& slopes, double light, double displayed, double sky,
                 double sky_displayed) {
   const auto of_light = colour::tone_derivatives(displayed),
@@ -107,7 +107,7 @@ void add_slopes(ToneSlopes& slopes, double light, double displayed, double sky,
     slopes[k] += light * of_light[k] - sky * of_sky[k];
 }
 
-/// Light that is subtracted: the sky's, before and after the tone curve is undone; a factor on the glow.
+/// Light to subtract: the sky's, before and after undoing the tone curve, and a factor on the glow.
 struct Off {
   double displayed, sky, glow;
 };
@@ -151,8 +151,8 @@ std::vector<SumOfBin> sums_of(const FitScene& scene, const Brought& channel, con
   return sums;
 }
 
-/// Prior of the factor on the computed glow: a lens's usual share of light, times the photograph's scale, the median
-/// over its sound bins.
+/// Prior of the factor on the computed glow: the usual share of light that a lens scatters, times the photograph's
+/// scale, which is the median over its sound bins.
 Uncertain usual_glow(const FitScene& scene, std::size_t k, std::span<const SumOfBin> sums) {
   constexpr double share = 0.03, error = 0.02;
   std::vector<double> scales;

@@ -17,7 +17,7 @@ namespace {
 
 using Cell = ClockView::Cell;
 
-/// Difference from a model's logarithm of light; where a cell is not well seen, only as far as it is beyond.
+/// Difference from a model's logarithm of light. In dark or clipped cells, only what exceeds their limit counts.
 double difference(const Cell& cell, double model) {
   const double beyond = model - cell.light;
   if (cell.seen == Cell::Seen::dark) return std::max(0., beyond);
@@ -25,7 +25,7 @@ double difference(const Cell& cell, double model) {
   return beyond;
 }
 
-/// Mean square of the differences, each cut at 1.
+/// Mean square of the differences, each square limited to 1.
 double mean_square(std::span<const Cell> cells, std::span<const double> model, double exposure) {
   double sum = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -61,9 +61,9 @@ struct Possible {
   double from_s, to_s;
 };
 
-/// Largest correction of the clock besides half hours, where light is not linear over it [s]; else 0.
+/// Largest clock correction apart from half hours [s]; 0 if light is linear over the clock's error.
 double farthest_clock_s(const FitRequest& request) {
-  constexpr double linear_s = 300, errors = 3;  // of light beside a moment
+  constexpr double linear_s = 300, errors = 3;  // light is linear this close to a moment
   const double error_s = request.clock_error_s;
   return std::max(request.clock_search_s, error_s > linear_s ? errors * error_s : 0);
 }
@@ -74,10 +74,10 @@ eclipse::Contacts contacts_of(const FitRequest& request) {
       .contacts;
 }
 
-/// First and last correction at which most photographs are of the eclipse.
+/// Least and greatest correction at which most photographs fall within the eclipse.
 Possible possible_clocks(const FitRequest& request) {
   if (!request.half_hours_free) return {-farthest_clock_s(request), farthest_clock_s(request)};
-  constexpr int farthest = 52;  // half hours: zones are 26 hours apart
+  constexpr int farthest = 52;  // half hours: time zones differ by up to 26 hours
   const auto contacts = contacts_of(request);
   Possible range{};
   std::ptrdiff_t most = 0;
@@ -97,7 +97,7 @@ Possible possible_clocks(const FitRequest& request) {
   return range;
 }
 
-/// Some photographs, evenly from the first to the last.
+/// Indices of some photographs, spaced evenly from the first to the last.
 std::vector<std::size_t> some_of(std::size_t all, std::size_t most) {
   const auto count = std::min(most, all);
   std::vector<std::size_t> indices;
@@ -106,8 +106,8 @@ std::vector<std::size_t> some_of(std::size_t all, std::size_t most) {
   return indices;
 }
 
-/// Correction, in steps of half an hour, at which photographs are most like the Moon: the nearer the shadow is to its
-/// place on them, the more alike they are.
+/// Correction, in steps of half an hour, at which photographs look most like the Moon: the closer the shadow is to its
+/// true place, the better they match.
 double roughly_at(const Stage& stage, std::span<const Reading> readings,
                   std::span<const std::size_t> which, const Possible& range) {
   std::vector<double> clocks_s;
@@ -125,7 +125,7 @@ double roughly_at(const Stage& stage, std::span<const Reading> readings,
   return best_s;
 }
 
-/// Views of photographs, registered at a correction of the clock.
+/// Views of photographs that are registered at a given clock correction.
 std::vector<ClockView> views_at(const Stage& stage, std::span<const Reading> readings,
                                 std::span<const std::size_t> which, double clock_s) {
   const auto all = placed(stage, readings, clock_s, which, Registering::fine);

@@ -13,28 +13,28 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Error of a tone curve between the levels at which it is known.
+/// Error of a tone curve between the levels where it is known.
 ///
 /// Source  measured curves of five cameras: 0.003
 constexpr double between_tents = 0.005;
 
-/// Error of light by what weather does beyond its linear effect: the second order.
+/// Error of light due to the second-order effect of weather.
 double second_order_of_weather(double weather_error) { return weather_error * weather_error; }
 
-/// Relative error of the computation in one channel: of FittedLight, and of the number of wavelengths.
+/// Relative error of the computation in one channel, due to FittedLight and the number of wavelengths.
 double error_of_computation(double value, double brightest) {
   constexpr double of_value = 0.0005, of_brightest = 0.0002;
   return std::hypot(of_value, of_brightest * brightest / value);
 }
 
-/// Correlation of the computation's errors between bins of one channel so far apart.
+/// Correlation of the computation's errors between bins of one channel, by their distance.
 double correlation_of_computation(double distance_km) {
   constexpr double alike_km = 500;
   return std::exp(-distance_km / alike_km);
 }
 
-/// Covariance of the map's errors, (bin, bin), independent in each channel: 1.2 % in each place of 200 km, over
-/// which a bin is the mean.
+/// Covariance of the map's errors, (bin, bin), independent in each channel: 1.2 % for each area of 200 km, averaged
+/// over a bin.
 algebra::Grid<double> covariances_of_map(const FitScene& scene) {
   constexpr double error = 0.012, place_px = 200 / fit_pixel_km;
   constexpr auto across = static_cast<std::size_t>(fit_side_px / place_px) + 1;
@@ -58,7 +58,7 @@ algebra::Grid<double> covariances_of_map(const FitScene& scene) {
   return result;
 }
 
-/// Measurements of a photograph: bins and channels that are neither clipped nor lost in noise.
+/// Adds a photograph's measurements: bins and channels that are neither clipped nor lost in noise.
 void add_measurements(const Binned& photograph, std::size_t index, const colour::ToneCurve& curve,
                       std::vector<Measurement>& all) {
   constexpr double too_noisy = 0.3, too_dark = 0.01, least_error = 0.0003;
@@ -69,7 +69,7 @@ void add_measurements(const Binned& photograph, std::size_t index, const colour:
       const double value = values(b, k), noise = errors(b, k) / value;
       if (value <= 0 || noise > too_noisy || value < too_dark * brightest) continue;
       double logarithm = std::log(value / photograph.errors.value_per_cd_m2.value_or(1));
-      if (!slopes.empty())  // by the mean tone curve of cameras, to first order
+      if (!slopes.empty())  // with the cameras' mean tone curve, to first order
         for (std::size_t n = 0; n < colour::tone_numbers; ++n)
           logarithm -= slopes(b, k)[n] * curve.numbers[n];
       all.push_back({index, b, k, logarithm,
@@ -80,7 +80,7 @@ void add_measurements(const Binned& photograph, std::size_t index, const colour:
   }
 }
 
-/// Noise covariance of a photograph's measurements.
+/// Covariance of the noise in a photograph's measurements.
 algebra::Grid<double> noise_of(const FitScene& scene, std::span<const Measurement> own) {
   const auto of_map = covariances_of_map(scene);
   algebra::Grid<double> block(own.size(), own.size());
@@ -195,7 +195,7 @@ colour::ToneCurve ComparedNight::curve(const algebra::Grid<double>& light) const
   if (!curved_) return curve;
   const auto found = nuisances_.expected(residuals_by_the_clock(light));
   for (std::size_t n = 0; n < colour::tone_numbers; ++n)
-    curve.numbers[n] = -found[first_.at("tone curve") + n];  // the curve takes excess light off
+    curve.numbers[n] = -found[first_.at("tone curve") + n];  // the curve removes excess light
   return curve;
 }
 

@@ -18,7 +18,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// How often nights are looked at again at most.
+/// How often nights are processed again at most.
 constexpr int most_turns = 4;
 
 struct Earlier {
@@ -27,7 +27,7 @@ struct Earlier {
   }
 };
 
-/// Progress over steps of equal length, which never goes back.
+/// Progress through steps of equal length; it never goes back.
 class Steps {
  public:
   Steps(algebra::Progress whole, std::size_t count)
@@ -53,7 +53,7 @@ class Steps {
 using ByNight = std::map<std::pair<std::string, double>, std::vector<std::size_t>>;
 using ByInstant = std::map<almanac::Instant, std::vector<MeasuredMagnitude>, Earlier>;
 
-/// Photographs that cannot be used, and the first one's error.
+/// Collects photographs that cannot be used, and the error of the first.
 struct LeftOut {
   const FitRequest& request;
   std::vector<ReadPhotograph>& photographs;  ///< in the order of the request
@@ -65,7 +65,7 @@ struct LeftOut {
   }
 };
 
-/// Photographs by camera and eclipse.
+/// Groups photographs by camera and eclipse.
 ByNight nights_of(const FitRequest& request, LeftOut& left_out) {
   ByNight nights;
   for (std::size_t i = 0; i < request.photographs.size(); ++i) try {
@@ -74,7 +74,7 @@ ByNight nights_of(const FitRequest& request, LeftOut& left_out) {
         require_eclipse(photograph.instant);
       const auto eclipse = eclipse::nearest_eclipse(
           photograph.instant, eclipse::ShadowConvention::danjon, almanac::LunarTheory::moon98);
-      // a gain has no unit: at another the camera is another
+      // a gain has no unit, so another gain counts as another camera
       const auto camera =
           camera_of(photograph.file).value_or("") + settings_of(photograph.file).gain.value_or("");
       nights[{camera, std::round(eclipse.greatest.tt_day)}].push_back(i);
@@ -84,7 +84,7 @@ ByNight nights_of(const FitRequest& request, LeftOut& left_out) {
   return nights;
 }
 
-/// Response of the camera of a night's photographs, where none is asked for.
+/// Camera response for a night's photographs if none is asked for.
 std::optional<std::string> usual_response(const EclipsePhotograph& photograph) {
   const auto camera = camera_of(photograph.file);
   const auto coding = coding_of(photograph.file, photograph.coding);
@@ -94,7 +94,7 @@ std::optional<std::string> usual_response(const EclipsePhotograph& photograph) {
   return own_curve ? std::optional<std::string>("canon-eos-600d") : std::nullopt;
 }
 
-/// Request for one night: some of the photographs alone, through their camera's response.
+/// Request for one night: only the given photographs, with their camera's response.
 FitRequest request_of(FitRequest request, const std::vector<std::size_t>& indices) {
   const auto all = std::exchange(request.photographs, {});
   for (const auto i : indices) request.photographs.push_back(all[i]);
@@ -108,15 +108,15 @@ FitRequest request_of(FitRequest request, const std::vector<std::size_t>& indice
   return request;
 }
 
-/// A night, its photographs in the whole request, and why it was looked at again.
+/// A night, the indices of its photographs in the whole request, and why it was processed again.
 struct NightOf {
   std::vector<std::size_t> photographs;
   Night night;
   std::vector<Again> turns{};
 };
 
-/// Air that is fitted to nights and magnitudes: while a night's photographs or light would change by what was found
-/// they are looked at again, and the air is fitted again.
+/// Fits air to nights and magnitudes. As long as the result would change a night's photographs or light, the night is
+/// processed and the air fitted again.
 AirFit fitted(std::vector<NightOf>& nights, const std::vector<DataSet>& magnitudes, Steps& steps) {
   auto progress = steps.next();
   for (int turn = 0;; ++turn) {

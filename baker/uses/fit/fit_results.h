@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What documents and Python say of a fit: descriptions of its results.
+// Descriptions of a fit's results, for documents and Python.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace coppermoon::uses {
 
-/// Optional whose key documents keep: null where there is no value.
+/// Optional whose key stays in documents: null if there is no value.
 template <class Value>
 std::optional<std::optional<Value>> or_null(std::optional<Value> value) {
   return std::make_optional(std::move(value));
@@ -24,13 +24,13 @@ inline algebra::Word channel_named(std::size_t channel) {
   return {names[channel], names};
 }
 
-/// An estimate in the unit of its unknown, a logarithm undone.
+/// An estimate in the unit of its unknown, with any logarithm undone.
 inline Estimate in_its_unit(const Unknown& unknown, const Estimate& estimate) {
   return {unknown.from_axis(estimate.median), unknown.from_axis(estimate.low),
           unknown.from_axis(estimate.high), estimate.information};
 }
 
-/// Least information of an estimate that counts as told by what was seen.
+/// Least information at which the data are considered to determine an estimate.
 inline constexpr double told_information = 0.3;
 
 template <class Field>

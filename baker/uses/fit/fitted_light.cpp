@@ -12,10 +12,10 @@ namespace {
 
 using InOzone = FittedLight::InOzone;
 
-/// Scale on which the logarithm of light is smooth: ln(1 + number / scale).
+/// Transforms a number so that the logarithm of light is smooth in it: ln(1 + number / scale).
 double smooth(double number, double scale) { return std::log1p(number / scale); }
 
-/// Numbers from the least to the most, even on that scale.
+/// Numbers from the least to the greatest, evenly spaced after `smooth`.
 std::vector<double> even_on_scale(const std::array<double, 2>& range, double scale, int count) {
   std::vector<double> all;
   const double from = smooth(range[0], scale), to = smooth(range[1], scale);
@@ -24,21 +24,21 @@ std::vector<double> even_on_scale(const std::array<double, 2>& range, double sca
   return all;
 }
 
-/// Scale of dust. Cubics through ten nodes, even in it, err by 4e-4 up to 3e-6 per metre, 1e-3 up to 8e-6, 5e-3 up to
-/// 1.5e-5, 2e-2 beyond.
+/// Scale for dust. Cubics through ten nodes that are even on it have errors of 4e-4 up to 3e-6 per metre, 1e-3 up to
+/// 8e-6, 5e-3 up to 1.5e-5, and 2e-2 beyond.
 constexpr double scale_of_dust_per_m = 2e-6;
 
-/// Scale of factors on stratospheric aerosol: that of a vertical optical depth of 0.015, along the limb some 1.
+/// Scale for factors on stratospheric aerosol: a vertical optical depth of 0.015, which is about 1 along the limb.
 constexpr double scale_of_depth = 0.015;
 
-/// Scale of factors on the chance of cloud.
+/// Scale for factors on the chance of cloud.
 constexpr double scale_of_cloud_chance = 0.7;
 
 double smooth_cloud(Unknowns unknowns, double cloud) {
   return unknowns == Unknowns::factors ? smooth(cloud, scale_of_cloud_chance) : cloud;
 }
 
-/// Weights of the nodes of aerosol, by a cubic through the four nearest on their scale.
+/// Weights of the aerosol nodes: a cubic through the four nearest, on their scale.
 std::vector<double> shares_of_aerosol(std::span<const double> aerosols, double aerosol,
                                       double scale) {
   constexpr std::size_t near = 4;
@@ -52,25 +52,25 @@ std::vector<double> shares_of_aerosol(std::span<const double> aerosols, double a
   return shares;
 }
 
-/// Adds a multiple of some light to sums of the same size.
+/// Adds a multiple of `light` to sums of the same size.
 void add(double times, const algebra::Grid<double>& light, algebra::Grid<double>& sums) {
   const auto values = light.values();
   for (std::size_t i = 0; i < values.size(); ++i) sums.values()[i] += times * values[i];
 }
 
-/// Some of the numbers.
+/// The numbers with the given indices.
 std::vector<double> some(const std::vector<double>& all, std::span<const std::size_t> which) {
   std::vector<double> fewer;
   for (const auto i : which) fewer.push_back(all[i]);
   return fewer;
 }
 
-/// Nodes over all numbers, or fewer and finer in a range.
+/// Nodes over the whole range, or fewer and finer ones in part of it.
 ///
-/// At fine nodes the first ozone has all of aerosol and cloud, two more have some: the ratio of light in two ozones is
-/// smoother than light is. Of amounts, errors between the five of dust, at 100 and 350 DU, are 8e-4 up to 3e-6 per
-/// metre, 1.4e-3 up to 8e-6, 3e-3 up to 1.5e-5; near 280 DU 0. In a range, steps of aerosol and cloud are at most a
-/// third as long as over all numbers: errors of cubics are a hundredth.
+/// With fine nodes, the first value of ozone has all nodes of aerosol and cloud and two more have some: the ratio
+/// of light at two values of ozone is smoother than light. For amounts, errors between the five nodes of dust, at 100
+/// and 350 DU, are 8e-4 up to 3e-6 per metre, 1.4e-3 up to 8e-6, 3e-3 up to 1.5e-5; near 280 DU they are 0. In part of
+/// the range, steps of aerosol and cloud are at most a third as long, so the errors of cubics are a hundredth.
 std::vector<InOzone> nodes_of(Unknowns unknowns, FittedAirs airs, double aerosol_scale,
                               const std::optional<AirRange>& range) {
   using Which = std::vector<std::size_t>;
@@ -110,7 +110,7 @@ std::vector<InOzone> nodes_of(Unknowns unknowns, FittedAirs airs, double aerosol
   return nodes;
 }
 
-/// Scale of aerosol's nodes: of factors, by the mean optical depth of the stratosphere over the limb.
+/// Scale for the aerosol nodes; for factors it follows from the stratosphere's mean optical depth along the limb.
 double aerosol_scale_of(const LightRequest& request, Unknowns unknowns,
                         const almanac::SkyState& sky) {
   if (unknowns == Unknowns::amounts) return scale_of_dust_per_m;
@@ -161,7 +161,7 @@ FittedLight::OverCloud FittedLight::over_cloud(double aerosol, double ozone) con
   std::vector<double> ozones;
   for (const auto& node : nodes_) ozones.push_back(node.ozone);
   auto of_ozone = algebra::on_polynomial(ozones, ozone);
-  of_ozone.front() = 1;  // the others are ratios to it
+  of_ozone.front() = 1;  // the others hold ratios to it
   const auto& first = nodes_.front();
   const auto& form = first.logarithms.front();
   const auto on_scale = [&](const std::vector<double>& clouds) {

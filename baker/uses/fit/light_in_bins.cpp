@@ -18,7 +18,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Work for light as exact as photographs are.
+/// Plan of work that makes light as exact as photographs are.
 constexpr plan::Work work_of_fits{.scattered_light = true,
                                   .bands = 40,
                                   .rays = 200,
@@ -26,18 +26,18 @@ constexpr plan::Work work_of_fits{.scattered_light = true,
                                   .planes = 2,
                                   .place_error = 1e-2};
 
-/// Sectors, interpolated by cubics, and the highest harmonic, in air without sharp borders. Errors against 96 sectors
-/// and all harmonics are 2e-3 at most, 1e-4 in the mean.
+/// Number of sectors, interpolated by cubics, and highest harmonic, for air without sharp borders. Errors compared with
+/// 96 sectors and all harmonics are 2e-3 at most, 1e-4 on average.
 constexpr std::size_t sectors_of_fits = 48;
 constexpr int harmonics_of_fits = 24;
 
 constexpr double darkness = 1e-30;
 
-/// Air above the observer of all parts: nodes between which the logarithm of light is interpolated by a polynomial.
+/// Air above the observer for all parts: nodes between which a polynomial interpolates the logarithm of light.
 struct AirAbove {
   std::size_t nodes = 0;
   algebra::Grid<double> shares;  ///< (part, node)
-  /// (row, band): channels of the first node, then of the next; then as many rows of what the ground's colour adds
+  /// (row, band): channels of the first node, then of the next; then as many rows for what the ground's colour adds
   algebra::Grid<double> weights;
 };
 
@@ -50,7 +50,7 @@ AirAbove air_above(std::span<const LitBins> parts) {
   }
   const auto [least, most] = std::ranges::minmax(dimming);
   const double count = std::clamp(std::ceil((most - least) / alike) + 1, 1., most_nodes);
-  std::vector<std::size_t> of_node;  // part
+  std::vector<std::size_t> of_node;  // part of each node
   for (double i = 0; i < count; ++i) {
     const double wanted = least + (most - least) * i / std::max(1., count - 1);
     const auto nearest =
@@ -73,7 +73,7 @@ AirAbove air_above(std::span<const LitBins> parts) {
   return above;
 }
 
-/// What light needs that is the same in all air.
+/// What the computation of light needs that is the same for all air.
 struct Setting {
   const LightRequest& request;
   ShadowedMoon moon;
@@ -87,7 +87,7 @@ struct Setting {
   std::size_t channels_of_nodes() const { return weights.rows() / 2; }
 };
 
-/// Adds sunlight that passes clear of Earth and air, which dust, cloud and ozone do not change.
+/// Adds sunlight that passes clear of the Earth and its air, so that dust, cloud and ozone do not change it.
 void add_direct(Setting& setting, const algebra::Progress& progress) {
   const shadow::DirectLight light(setting.moon.air, setting.arrangement, setting.waves);
   const auto layers = light.in_layers(setting.weights);
@@ -121,7 +121,7 @@ std::vector<shadow::RefractedLight> refracted_in(const Setting& setting,
                                   finely);
 }
 
-/// Logarithms of a part's light over its sunlight, (bin, channel of all nodes).
+/// Logarithms of a part's light / sunlight: (bin, channel at each node).
 algebra::Grid<double> in_bins(const Setting& setting, std::size_t p,
                               const shadow::RefractedLight& refracted) {
   const auto& part = setting.parts[p];
@@ -146,7 +146,7 @@ algebra::Grid<double> in_bins(const Setting& setting, std::size_t p,
   return light;
 }
 
-/// Logarithms of all parts' light over sunlight, each through its own air above: (bin, channel).
+/// Logarithms of light / sunlight for all parts, each seen through its own air above: (bin, channel).
 algebra::Grid<double> in_all_bins(const Setting& setting, const shadow::RefractedLight& refracted) {
   const auto nodes = setting.above.nodes, channels = setting.channels_of_nodes() / nodes;
   std::size_t bins = 0;
@@ -164,7 +164,7 @@ algebra::Grid<double> in_all_bins(const Setting& setting, const shadow::Refracte
   return all;
 }
 
-/// Air in which the unknowns have these numbers everywhere along the limb: factors multiply, amounts replace.
+/// Air with the given values of the unknowns all along the limb: factors multiply, amounts replace.
 atmosphere::Atmosphere changed(atmosphere::Atmosphere air, Unknowns unknowns,
                                const AirNumbers& numbers) {
   const double aerosol = numbers[0], cloud = numbers[1], ozone = numbers[2];
@@ -221,7 +221,7 @@ std::vector<algebra::Grid<double>> light_in_bins(const LightRequest& request, Un
                   above,
                   at_wavelengths(above.weights, work_of_fits.bands)};
   add_direct(setting, progress);
-  // some at once, in order of aerosol: air of like aerosol needs light at like places
+  // several at once, in order of aerosol: airs with similar aerosol need light at similar places
   std::vector<std::size_t> order(numbers.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return numbers[i].front(); });

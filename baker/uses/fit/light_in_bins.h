@@ -21,27 +21,27 @@ struct LitPlace {
   eclipse::ShadowPlace place;
   double sunlit;  ///< light without the shadow, in any unit
   std::size_t bin;
-  double colour = 0;  ///< c of the ground, as surface::Ground has it
+  double colour = 0;  ///< colour c of the ground, as in surface::Ground
 };
 
-/// Bins of the Moon's ground at one moment, as one observer sees them.
+/// The Moon's ground at one moment, in bins, as one observer sees it.
 struct LitBins {
-  /// (channel, band): of the moonlight of mean ground as seen, 0 or more, as those of XYZ
+  /// (channel, band), 0 or more: weights that give the moonlight of mean ground as seen, like those for XYZ.
   algebra::Grid<double> weights;
   std::vector<LitPlace> places;  ///< in bins 0 to bins − 1
   std::size_t bins = 0;
 };
 
-/// Light in bins of a Moon on its way through the shadow, computed in some air. Light in the shadow is computed once
-/// for all moments. Between different air above the observer its logarithm is interpolated by a polynomial through up
-/// to four.
+/// Binned light of a Moon on its way through the shadow, computed for each of several airs. Light in the shadow is
+/// computed once for all moments. For the air above the observer, its logarithm is interpolated by a polynomial through
+/// at most four nodes.
 ///
-/// Given     request    air but for the unknowns, limb darkening; the rest is ignored
-///           skies      of one eclipse, in order of time: those of all parts, one or more
-///           parts      of equal numbers of channels
-///           numbers    of each air
-///           scattered  whether with light that the air scatters
-/// Returned  [air](bin, channel): logarithm of light over sunlit light, bins of all parts in their order
+/// Given     request    air apart from the unknowns, limb darkening; the rest is ignored
+///           skies      one or more from one eclipse, in order of time, including those of all parts
+///           parts      with equal numbers of channels
+///           numbers    values of the unknowns for each air
+///           scattered  whether to include light that the air scatters
+/// Returned  [air](bin, channel): logarithm of light / sunlit light, for the bins of all parts in their order
 std::vector<algebra::Grid<double>> light_in_bins(const LightRequest& request, Unknowns unknowns,
                                                  std::span<const almanac::SkyState> skies,
                                                  std::span<const LitBins> parts,
@@ -52,7 +52,7 @@ std::vector<algebra::Grid<double>> light_in_bins(const LightRequest& request, Un
 /// Refracted light at any place, by wavelength: linear between planes, cubic between sectors.
 class RefractedAt {
  public:
-  /// Given  light  in all sectors, or in those of the places and one more at either end; outlives this
+  /// Given  light  in all sectors, or in those that hold the places and one more at either end; must outlive this
   explicit RefractedAt(const shadow::RefractedLight& light);
 
   /// Writes the ratio to unshadowed sunlight at each wavelength.

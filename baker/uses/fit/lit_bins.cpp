@@ -10,9 +10,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// Adds a few places that stand for all of a bin: the means of groups by distance, and within these by position
-/// angle. Evenly spread groups are 10 degrees wide at most: across belts of the air light varies unevenly along wider
-/// ones.
+/// Adds a few places that represent a whole bin: means of groups by distance and, within these, by position angle.
+/// Groups are evenly spread and at most 10 degrees wide, because light varies unevenly across wider belts of air.
 ///
 /// Given  middle_rad  position angle of the disc's centre, from which angles are counted
 void add_groups(std::span<const LitPlace> places, double middle_rad, std::vector<LitPlace>& few) {

@@ -6,8 +6,8 @@
 
 namespace coppermoon::uses {
 
-/// Bins of a scene at another moment: the same ground, elsewhere in the shadow. A few places stand for all ground of
-/// a bin.
+/// The bins of a scene at another moment: the same ground, elsewhere in the shadow. A few places represent all the
+/// ground in a bin.
 LitBins lit_bins(const FitScene& scene, const almanac::SkyState& sky);
 
 }  // namespace coppermoon::uses

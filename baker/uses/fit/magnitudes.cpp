@@ -49,7 +49,7 @@ double number_in(const std::string& cell, const char* what, double least, double
   return *number;
 }
 
-/// Refuses names of columns that are missing, there twice, or unknown.
+/// Refuses column names that are missing, repeated or unknown.
 void require_columns(const std::vector<std::string>& names) {
   const auto count = [&](std::string_view name) { return std::ranges::count(names, name); };
   const auto errors = count("error");
@@ -85,7 +85,7 @@ MeasuredMagnitude measured_in(const std::vector<std::string>& cells,
   return measured;
 }
 
-/// Texels that the Earth's centre sees, in one bin, weighted by their area.
+/// Texels seen from the Earth's centre, all in one bin, weighted by their area.
 std::vector<LitPlace> places_of(const MoonRequest& moon, const almanac::SkyState& sky) {
   const shadow::Lookup whole(shadow::ChannelWeights(1, 1, 1.));
   const auto lit =
@@ -105,7 +105,7 @@ std::vector<LitPlace> places_of(const MoonRequest& moon, const almanac::SkyState
   return places;
 }
 
-/// Magnitudes of the same Moon without the shadow.
+/// Magnitudes that the Moon would have without the shadow.
 std::vector<double> unshadowed_magnitudes(const MoonRequest& moon, const almanac::SkyState& sky,
                                           const Photometer& meter) {
   const shadow::Lookup whole(meter.weights);

@@ -10,18 +10,18 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Shares of the misfit that are most of it, and nearly all.
+/// Shares that count as most of a misfit, and as nearly all of it.
 constexpr double most_of_it = 0.6, nearly_all = 0.8;
 
-/// Least distance from the shadow's axis of what counts as the umbra's edge, and of ground beyond it [km].
+/// Distances from the shadow's axis at which the umbra's edge, and the ground beyond it, begin [km].
 constexpr double edge_km = 4000, beyond_km = 4900;
 
-/// Part of χ² that the sums do not expect.
+/// Part of χ² in excess of what is expected.
 double excess(const Misfit& misfit) {
   return std::max(0., misfit.chi_squared - static_cast<double>(misfit.count));
 }
 
-/// Excess of misfits that fulfil a condition, over that of all.
+/// Share of the total excess that comes from misfits meeting a condition.
 double share_of(const std::vector<Misfit>& all, const std::function<bool(const Misfit&)>& chosen) {
   double sum = 0, whole = 0;
   for (const auto& misfit : all) {
@@ -31,7 +31,7 @@ double share_of(const std::vector<Misfit>& all, const std::function<bool(const M
   return whole > 0 ? sum / whole : 0;
 }
 
-/// Suspect where one photograph alone misfits: its exposure where all channels differ alike, else its instant.
+/// Suspect if a single photograph misfits: its exposure if all channels differ alike, else its instant.
 Suspect of_one_photograph(const std::vector<Misfit>& own) {
   double sum = 0, squares = 0, scatter = 0;
   for (const auto& misfit : own) {
@@ -45,7 +45,7 @@ Suspect of_one_photograph(const std::vector<Misfit>& own) {
                                                                    : Suspect::instant;
 }
 
-/// Whether photographs differ from each other by more than parts of one do.
+/// Whether photographs differ from each other more than the parts of one photograph do.
 bool change_in_time(const std::vector<Misfit>& all) {
   std::array<double, 3> sums{}, squares{}, within{};
   std::array<int, 3> counts{};
@@ -76,7 +76,7 @@ Suspect suspect_of(const std::vector<Misfit>& all, const Misfit& worst) {
   const auto of_worst = [&](const Misfit& one) { return one.photograph == worst.photograph; };
   if (photographs.size() > 1 && share_of(all, of_worst) > most_of_it) {
     const auto suspect = of_one_photograph(own);
-    // another instant changes all channels
+    // a wrong instant would change all channels
     return suspect == Suspect::instant && of_channel > nearly_all ? Suspect::colours : suspect;
   }
   if (of_channel > most_of_it) return Suspect::colours;

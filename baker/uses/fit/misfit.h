@@ -11,33 +11,33 @@
 
 namespace coppermoon::uses {
 
-/// Likely reason of a misfit.
+/// Likely reason for a misfit.
 enum class Suspect {
-  instant,     ///< of one photograph
-  exposure,    ///< of one photograph
-  colours,     ///< one channel of most photographs: the camera's response, or its white balance
-  clock,       ///< differences are at the umbra's edge, or change from photograph to photograph
-  tone_curve,  ///< differences are beyond the umbra too
-  air          ///< differences are alike in all photographs of the umbra
+  instant,     ///< one photograph's instant
+  exposure,    ///< one photograph's exposure
+  colours,     ///< one channel in most photographs: the camera's response or white balance
+  clock,       ///< differences lie at the umbra's edge or change from photograph to photograph
+  tone_curve,  ///< differences extend beyond the umbra
+  air          ///< differences are alike in all photographs that show the umbra
 };
 
 /// Names of suspects, in their order.
 inline constexpr std::array<std::string_view, 6> suspect_names{"instant", "exposure",   "colours",
                                                                "clock",   "tone curve", "air"};
 
-/// Likely reason of a misfit, and the photograph and channel that misfit most.
+/// Likely reason for a misfit, and the photograph and channel that misfit most.
 struct Suspicion {
   Suspect suspect;
   Misfit worst;                         ///< photograph and channel with the largest part of χ²
-  std::vector<std::size_t> mirrored{};  ///< photographs, where not all are
+  std::vector<std::size_t> mirrored{};  ///< mirrored photographs, if not all are
 };
 
 /// Part of the shadow at a distance from its axis: "umbra", "edge of the umbra", "penumbra".
 const char* part_of_shadow(double axis_distance_km);
 
-/// Likely reason of a misfit, by its pattern over photographs, channels and distances from the shadow's axis.
+/// Likely reason for a misfit, judged by its pattern over photographs, channels and distances from the shadow's axis.
 ///
-/// Returned  nothing without photographs, or where χ² is what errors make it
+/// Returned  nothing if there are no photographs, or if the errors account for χ²
 std::optional<Suspicion> suspicion_of(const FitReport& report);
 
 }  // namespace coppermoon::uses

@@ -13,19 +13,19 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Photographs placed and binned.
+/// Photographs as placed and binned.
 struct Look {
   std::vector<Placed> placed;
   std::vector<Binned> binned;
 };
 
-/// Air of the least χ² on a coarse grid.
+/// Air with the least χ² on a coarse grid.
 struct CoarseFit {
   GoodnessOfFit goodness{std::numeric_limits<double>::infinity()};
   std::vector<Misfit> misfits{};  ///< in that air
 };
 
-/// Model light of a night's photographs, as NightRows.
+/// Model light for a night's photographs, in the rows of NightRows.
 FittedLight light_of(const FitRequest& request, std::span<const Binned> binned, const Clock& clock,
                      FittedAirs airs, const algebra::Progress& progress,
                      const std::optional<AirRange>& range = {}) {
@@ -70,12 +70,12 @@ CoarseFit coarse_fit(const Stage& stage, std::span<const Binned> binned, const C
   return fit;
 }
 
-/// Leaves the photograph out whose light is farthest from that of the others, where it is too far.
+/// Leaves out the photograph whose light differs most from the others', if it differs too much.
 ///
-/// Returned  whether there was one
+/// Returned  whether a photograph was left out
 bool leave_out_worst(std::span<const Reading> readings, const CoarseFit& fit, Look& look) {
   constexpr double well = 0.8, stop = std::numbers::ln2, doubtful_stops = 1, any_stops = 3;
-  // by the channel that misfits least: what is misplaced misfits in all
+  // judged by the channel that misfits least: a misplaced photograph misfits in all
   std::map<std::size_t, double> off;
   for (const auto& misfit : fit.misfits) {
     const auto [known, first] = off.try_emplace(misfit.photograph, misfit.mean);
@@ -111,9 +111,9 @@ void require_any(const FitRequest& request, std::span<const Placed> placed) {
       fmt::format("{}: {}", request.photographs.front().file, placed.front().left_out));
 }
 
-/// Places and bins photographs at a clock, without those that mislead.
+/// Places and bins photographs with a given clock, leaving out those that mislead.
 ///
-/// Given  fit  set to that of what remains, where photographs were compared
+/// Given  fit  set to the fit of the remaining photographs, if any were compared
 Look look_at(const Stage& stage, std::span<const Reading> readings, const Clock& clock,
              std::optional<CoarseFit>& fit) {
   constexpr std::size_t least = 3;
@@ -131,13 +131,13 @@ Look look_at(const Stage& stage, std::span<const Reading> readings, const Clock&
   return look;
 }
 
-/// Clock that light tells, of photographs that stay where they are.
+/// Clock found from light, with photographs kept where they are.
 ///
-/// Given  fit  at the clock before, where it is known
+/// Given  fit  with the previous clock, if known
 Clock told_by_light(const Stage& stage, std::span<const Binned> binned, Clock clock,
                     std::optional<CoarseFit> fit) {
   constexpr int most_steps = 8;
-  constexpr double linear_s = 60, most_s = 300;  // of light beside a moment
+  constexpr double linear_s = 60, most_s = 300;  // light is linear this close to a moment
   for (int step = 0; step < most_steps; ++step) {
     if (!fit) fit = coarse_fit(stage, binned, clock);
     const double further_s = std::clamp(fit->goodness.clock_s, -most_s, most_s);
@@ -148,13 +148,13 @@ Clock told_by_light(const Stage& stage, std::span<const Binned> binned, Clock cl
   return clock;
 }
 
-/// Whether cloud is a chance, of which a fit knows the logarithm.
+/// Whether cloud is given by chance, so that a fit uses its logarithm.
 bool cloud_is_a_chance(const AirFit& fit) { return unknowns_of(fit.unknowns)[1].logarithmic; }
 
-/// Relative change of cloud for the derivative of light.
+/// Relative change in cloud used for the derivative of light.
 constexpr double more_cloud = 0.1;
 
-/// Numbers of an air with more cloud than the best.
+/// Unknowns of an air with more cloud than the best air.
 AirNumbers clouded_numbers(const AirFit& fit) {
   auto numbers = fit.best;
   numbers[1] = cloud_is_a_chance(fit) ? numbers[1] * (1 + more_cloud)
@@ -182,7 +182,7 @@ Night first_look(FitRequest request, const algebra::Progress& progress) {
   auto clock = scanned_clock(stage, readings);
   std::optional<CoarseFit> fit;
   auto look = look_at(stage, readings, clock, fit);
-  // a shadow at a wrong place shifts a registration by a tenth of that, so photographs are placed again
+  // a misplaced shadow shifts registration by a tenth of its error, so photographs are placed again
   constexpr int most_turns = 3;
   constexpr double near_s = 15;
   for (int turn = 0; clock.error_s > 0 && turn < most_turns; ++turn) {

@@ -9,50 +9,52 @@
 
 namespace coppermoon::uses {
 
-/// Photographs of one camera and eclipse, and what each step made of them.
+/// Photographs from one camera and eclipse, and what each step made of them.
 struct Night {
-  FitRequest request;             ///< its photographs alone, through its camera's response
+  FitRequest request;             ///< this night's photographs alone, with its camera's response
   std::vector<Reading> readings;  ///< [photograph]
   Clock clock;
   std::vector<Placed> placed;  ///< [photograph]
-  std::vector<Binned> binned;  ///< of those placed, in their order
+  std::vector<Binned> binned;  ///< the placed photographs, in their order
   FittedLight light;
   ComparedNight compared;
 };
 
-/// First look: reads the photographs, finds their clock, places them, bins them, and computes light in all air.
+/// First look: reads the photographs, finds their clock, places and bins them, and computes light for all air.
 ///
-/// Left out are photographs that leave_out_far leaves out; then, one by one, those whose light no air explains beside
-/// the others': three stops off in all channels, or one where the Moon is poorly recognised or turned unlike most
-/// others. One of them misleads a whole night.
+/// It leaves out the photographs that leave_out_far rejects; then, one by one, those whose light no air explains along
+/// with that of the others. They are three stops off in all channels, or one stop if the Moon is poorly recognised or
+/// turned unlike most others. A single such photograph misleads a whole night.
 ///
-/// Given   request  photographs of one camera and eclipse
-/// Throws  Error    "<file>: …" for one alone that cannot be read or used, the first of several when none can
+/// Given   request  photographs from one camera and eclipse
+/// Throws  Error    "<file>: …" when no photograph can be read or used, for the first of them
 Night first_look(FitRequest request, const algebra::Progress& progress = {});
 
-/// Why a night is looked at again with the air that was found; or not.
+/// Why to process a night again with the air that was found, if at all.
 ///
-/// Light is computed nearby until the fit is well within its range; not for photographs by a tone curve, which errs by
-/// more than light between nodes of the whole range.
+/// Light is computed nearby until the fit is well within its range. This does not apply to photographs with a tone
+/// curve: the curve's error exceeds that of interpolating light between nodes of the whole range.
 ///
-/// Given  turn  how often it was before: 0 after the first look
+/// Given  turn  how often the night was processed again before: 0 after the first look
 Again why_again(const Night& night, const AirFit& fit, int turn);
 
-/// Looks at a night again by what was found of air, tone curve and colours.
+/// Processes a night again with the air, tone curve and colours that were found.
 ///
-/// Given  why    in_its_air: photographs are registered once more, in the best air
+/// Given  why    if in_its_air, photographs are registered once more, in the best air
 ///        alive  called now and then; may throw to cancel
 Night looked_at_again(Night night, Again why, const AirFit& fit, const algebra::Progress& alive);
 
-/// Measurements of a night. Given  night  outlives them
+/// The measurements of a night.
+///
+/// Given  night  must outlive the data set
 DataSet data_of(const Night& night);
 
-/// Photographs as read, in the order of the night's.
+/// How each photograph was read, in the night's order.
 std::vector<ReadPhotograph> photographs_of(const Night& night);
 
-/// What is found of a night in the air of the least χ²; photographs are the night's.
+/// What was found about a night in the air with the least χ²; photographs are indices in the night.
 ///
-/// Given  clock  that the fit found beside the night's own
+/// Given  clock  correction that the fit found in addition to the night's own
 FittedNight found_of(const Night& night, const AirFit& fit, const ClockError& clock);
 
 }  // namespace coppermoon::uses

@@ -26,7 +26,7 @@ std::array<double, 3> mixed(const std::array<double, 3>& light, const Mixing& mi
   return written;
 }
 
-/// Derivative of the logarithm of light by distance from the axis [1/km], from the neighbouring bins.
+/// Derivative of the logarithm of light with respect to axis distance [1/km], from the neighbouring bins.
 double logarithmic_slope(const Binned& photograph, std::size_t b, std::size_t k) {
   const auto& scene = *photograph.scene;
   const auto& values = photograph.light.values;
@@ -37,8 +37,8 @@ double logarithmic_slope(const Binned& photograph, std::size_t b, std::size_t k)
          (scene.distances_km[to] - scene.distances_km[from]);
 }
 
-/// Growth of a measurement's logarithm with light that the camera adds from each channel, as bright as that is
-/// expected.
+/// Derivative of a measurement's logarithm with respect to the light that the camera adds from each channel, at the
+/// expected brightness.
 std::array<double, 3> growth_by_mixing(const Binned& photograph, const NightErrors& night,
                                        const NightRows& rows, const Measurement& measurement) {
   const auto& [p, b, k, logarithm, error, of_computation] = measurement;
@@ -49,7 +49,7 @@ std::array<double, 3> growth_by_mixing(const Binned& photograph, const NightErro
   const auto brightest =
       static_cast<std::size_t>(std::ranges::max_element(written) - written.begin());
   const auto seen = photograph.light.values.row(b);
-  // the photograph's own light, as bright as expected in its brightest channel
+  // the photograph's own light, scaled to the brightness expected in its brightest channel
   const double as_bright =
       seen[brightest] > 0 ? seen[k] / seen[brightest] * written[brightest] : written[k];
   const double least = least_of_brightest * written[brightest];
@@ -58,8 +58,8 @@ std::array<double, 3> growth_by_mixing(const Binned& photograph, const NightErro
   return light;
 }
 
-/// Growth of the logarithm of light with less cloud, (photograph × bins + bin, channel), over its mean of red in the
-/// umbra; where cloud is a chance, times weather_over_usual. Empty where it is not known.
+/// Growth of the logarithm of light with less cloud, (photograph × bins + bin, channel), relative to its mean for red
+/// in the umbra; times weather_over_usual if cloud is given by chance. Empty if it is not known.
 algebra::Grid<double> dimming_by_cloud(std::span<const Binned> photographs,
                                        const NightErrors& night, const NightRows& rows) {
   constexpr double least_distance_km = 1000, most_distance_km = 4000;
@@ -85,7 +85,7 @@ algebra::Grid<double> dimming_by_cloud(std::span<const Binned> photographs,
   return all;
 }
 
-/// Nuisances of weather: one for each part of the limb, change in time, and kind of weather.
+/// Nuisance of weather: a parameter for each part of the limb, change in time, and kind of weather.
 Nuisance weather_of(std::span<const Binned> photographs, const NightErrors& night,
                     const NightRows& rows) {
   const bool any = std::ranges::any_of(
@@ -182,13 +182,13 @@ std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const Ni
          return by[m.channel] -
                 std::inner_product(by.begin(), by.end(), luminance_of_rec709.begin(), 0.);
        }},
-      // elements of the matrix off its diagonal, row by row
+      // off-diagonal elements of the matrix, row by row
       {"mixing", night, any_mixed ? 6UL : 0,
        [=](const Measurement& m) { return errors(m).mixing_error; },
        [=](const Measurement& m, std::size_t n) {
          return n / 2 == m.channel ? growth(m)[(n % 2) + (n % 2 >= m.channel)] : 0;
        }},
-      // the covariance of these is that of the cameras about the one assumed
+      // their covariance is that of the cameras around the assumed one
       {"filters", night, cameras,
        [=](const Measurement&) { return 1 / std::sqrt(static_cast<double>(cameras)); },
        [=](const Measurement& m, std::size_t n) {

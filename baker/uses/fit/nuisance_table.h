@@ -16,21 +16,21 @@
 
 namespace coppermoon::uses {
 
-/// Linear light that a camera writes for linear Rec.709 light: [to][from].
+/// Matrix from linear Rec.709 light to the linear light that a camera writes: [to][from].
 using Mixing = std::array<std::array<double, 3>, 3>;
 inline constexpr Mixing no_mixing{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-/// Luminance of linear Rec.709.
+/// Weights of linear R, G, B (Rec.709) in luminance.
 inline constexpr std::array luminance_of_rec709{0.2126, 0.7152, 0.0722};
 
-/// Light of an air in the bins of a night's photographs: (row, X Y Z).
+/// Rows of a grid (row, X Y Z) that holds the light computed for an air in the bins of a night's photographs.
 ///
-/// Rows are bins of a photograph at one moment, then at the next: moments a minute before and after its own where the
-/// clock may be wrong, else its own alone; then those of the next photograph.
+/// For each photograph in turn, the rows are its bins at one moment, then at the next. The moments are a minute before
+/// its own, its own, and a minute after, if the clock may be wrong; else its own alone.
 struct NightRows {
   std::size_t moments = 1, bins = 0;
 
-  /// Row of a bin at a photograph's own moment.
+  /// Row for a bin at a photograph's own moment.
   std::size_t own(std::size_t photograph, std::size_t bin) const {
     return at(photograph, moments / 2, bin);
   }
@@ -39,68 +39,68 @@ struct NightRows {
   }
 };
 
-/// Moments beside each photograph's at which light is computed, for its derivative by the clock [s]: its own in the
-/// middle.
+/// Offsets from each photograph's moment at which to compute light, for its derivative with respect to the clock [s].
+/// The middle one is 0.
 std::vector<double> clock_steps_s(double clock_error_s);
 
-/// What is known of a night's light before it is compared, about which errors are linear.
+/// What is known about a night's light before comparison; errors are linear around it.
 struct NightErrors {
   double clock_error_s = 0;   ///< standard error of the clock; 0: instants are exact
-  double clock_mean_s = 0;    ///< mean of the clock's error, from the scenes' instants
-  colour::ToneCurve curve{};  ///< with which light was binned, where a curve is in question
-  Mixing mixing = no_mixing;  ///< expected of the camera
+  double clock_mean_s = 0;    ///< mean of the clock's error, relative to the scenes' instants
+  colour::ToneCurve curve{};  ///< with which light was binned, if it was not linear
+  Mixing mixing = no_mixing;  ///< expected for the camera
   algebra::Grid<double>
-      expected{};                   ///< light of the best air, as NightRows; empty: the usual air's
-  algebra::Grid<double> clouded{};  ///< light of that air under more cloud; empty: not known
-  double clouded_by = 0;  ///< ln(chance of cloud of `clouded` / of `expected`); 0: cloud is a deck
+      expected{};  ///< light for the best air, in NightRows; if empty, the usual air's
+  algebra::Grid<double> clouded{};  ///< light for that air with more cloud; empty if not known
+  double clouded_by = 0;  ///< ln(chance of cloud in `clouded` / in `expected`); 0: cloud is a deck
 };
 
-/// Rows of light that a night's photographs are compared with.
+/// Rows for the light that a night's photographs are compared with.
 NightRows rows_of(std::span<const Binned> photographs, const NightErrors& night);
 
-/// Whether the matrix of the camera is in question.
+/// Whether the camera's matrix is uncertain.
 bool is_mixed(std::span<const Binned> photographs);
 
 /// A measurement: the logarithm of light in one bin and channel of a photograph.
 struct Measurement {
   std::size_t photograph, bin, channel;
   double logarithm;
-  double error;           ///< of this measurement alone
-  double of_computation;  ///< error of the computation, which bins close by share
+  double error;           ///< independent error of this measurement
+  double of_computation;  ///< error of the computation, which nearby bins share
 };
 
-/// Whose parameters those of a nuisance are.
+/// Whether a nuisance has its parameters once for the night or for each photograph.
 enum class SharedBy { night, photograph };
 
-/// A row of the table of nuisances: parameters of one kind.
+/// A row in the table of nuisances: parameters of one kind.
 struct Nuisance {
   std::string_view name;
   SharedBy shared_by;
-  std::size_t count;  ///< parameters: of the night, or of each photograph
-  /// Standard deviation before anything is measured, of those that this measurement grows with; 0: it grows with none.
+  std::size_t count;  ///< number of parameters, for the night or for each photograph
+  /// Prior standard deviation of the parameters that affect this measurement; 0 if none does.
   std::function<double(const Measurement&)> prior;
-  /// Growth of the measurement's logarithm with one of them.
+  /// Derivative of the measurement's logarithm with respect to one parameter.
   std::function<double(const Measurement&, std::size_t parameter)> derivative;
 };
 
-/// Nuisances of a night: exposure, white balance, tone curve, the camera's matrix, saturation and filters, weather
-/// along the limb; of each photograph shutter, white balance, sky, place and glow.
+/// Nuisances of a night: exposure, white balance, tone curve, the camera's matrix, saturation and filters, and weather
+/// along the limb. Each photograph adds its own: shutter, white balance, sky, place and glow.
 ///
-/// Given  photographs, night  outlive the table
+/// Given  photographs, night  must outlive the table
 std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const NightErrors& night);
 
-/// Design matrix of a table of nuisances.
+/// Design matrix for a table of nuisances.
 struct Design {
   algebra::Grid<double> matrix;                   ///< (measurement, parameter): derivative × prior
-  std::map<std::string_view, std::size_t> first;  ///< column where a nuisance begins
-  std::size_t first_own = 0;                      ///< column where parameters of photographs begin
+  std::map<std::string_view, std::size_t> first;  ///< first column of each nuisance
+  std::size_t first_own = 0;  ///< first column of the photographs' own parameters
 };
 
-/// Given  table  nuisances of the night before those of photographs
+/// Given  table  nuisances of the night first, then those of photographs
 Design design_of(std::span<const Nuisance> table, std::span<const Measurement> measurements,
                  std::size_t photographs);
 
-/// Light of a bin in linear Rec.709 as a camera writes it, in each channel at least `least` of the brightest channel.
+/// A bin's light in linear Rec.709 as a camera writes it. Each channel is at least `least` times the brightest one.
 std::array<double, 3> as_written(std::span<const double> xyz, const Mixing& mixing, double least);
 
 }  // namespace coppermoon::uses

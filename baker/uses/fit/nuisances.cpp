@@ -22,7 +22,7 @@ Eigen::Map<const Matrix> matrix(const Grid<double>& grid) {
 
 auto lower(const Grid<double>& grid) { return matrix(grid).triangularView<Eigen::Lower>(); }
 
-/// Factor L of L Lᵀ, in the lower triangle; what is above it means nothing.
+/// Cholesky factor L of L Lᵀ in the lower triangle; ignore what is above it.
 Grid<double> cholesky(Grid<double> grid) {
   Eigen::Map<Matrix> whole(grid.values().data(), matrix(grid).rows(), matrix(grid).cols());
   const Eigen::LLT<Eigen::Ref<Matrix>> in_place(whole);

@@ -8,8 +8,8 @@
 
 namespace coppermoon::uses {
 
-/// Nuisance parameters of a linear model, marginalised. Residuals r depend on parameters u (an exposure, a
-/// colour, a number of a tone curve) by a design matrix A, beside noise e of covariance D:
+/// Marginalised nuisance parameters of a linear model. Residuals r depend on parameters u (an exposure, a
+/// colour, a number of a tone curve) through a design matrix A, with noise e of covariance D:
 ///
 ///     r = A u + e        u ~ N(0, 1), e ~ N(0, D)        C = D + A Aᵀ
 ///
@@ -20,10 +20,10 @@ class Nuisances {
  public:
   Nuisances() = default;
   /// Given  noise   blocks of D, in the order of the residuals, each positive definite or empty
-  ///        design  A: (residual, parameter); without columns: one parameter of no effect
+  ///        design  A: (residual, parameter); without columns, one parameter with no effect is used
   Nuisances(std::span<const algebra::Grid<double>> noise, algebra::Grid<double> design);
 
-  /// Residuals and parameters whitened: with D = K Kᵀ and M = L Lᵀ, `noise` is K⁻¹ r and `parameters`
+  /// Whitened residuals and parameters: with D = K Kᵀ and M = L Lᵀ, `noise` is K⁻¹ r and `parameters` is
   /// L⁻¹ Aᵀ D⁻¹ r.
   struct Whitened {
     std::vector<double> noise, parameters;
@@ -36,14 +36,14 @@ class Nuisances {
   /// Part of the residuals that the posterior mean u of the parameters explains: A u.
   std::vector<double> explained(std::span<const double> residuals) const;
 
-  /// Part of the residuals that `count` parameters from the first on explain.
+  /// Part of the residuals that `count` parameters explain, starting with number `first`.
   std::vector<double> explained(std::span<const double> residuals, std::size_t first,
                                 std::size_t count) const;
 
   /// C⁻¹ r.
   std::vector<double> weighed(std::span<const double> residuals) const;
 
-  /// Standard error of a weighted mean, by the noise and the posterior covariance of the parameters.
+  /// Standard error of a weighted mean, from the noise and the posterior covariance of the parameters.
   double error_of_mean(std::span<const double> weights) const;
 
  private:

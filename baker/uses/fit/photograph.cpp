@@ -19,10 +19,10 @@ namespace {
 
 using Channel = algebra::Grid<float>;
 
-/// Light above which a channel may be clipped: below all limits of binned.
+/// Light above which a channel may be clipped; lower than any limit in `binned`.
 constexpr float nearly_clipped = 0.84F;
 
-/// Quantisation step near black of an 8-bit channel, in linear light; 0 of more than 256 values.
+/// Quantisation step of an 8-bit channel near black, in linear light; 0 if it has more than 256 values.
 double step_of(const texture::Image& photo, std::size_t k) {
   constexpr std::size_t most = 256;
   std::unordered_set<float> values;
@@ -32,7 +32,7 @@ double step_of(const texture::Image& photo, std::size_t k) {
   return 1 / 12.92 / 255;
 }
 
-/// Value of a square of pixels that become one.
+/// Value for a square of pixels that become one.
 float shrunk_pixel(const texture::Image& photo, std::size_t top, std::size_t left, std::size_t k,
                    std::size_t side) {
   float sum = 0, most = 0;
@@ -48,7 +48,7 @@ float shrunk_pixel(const texture::Image& photo, std::size_t top, std::size_t lef
   return most > nearly_clipped ? most : 2 * black > all ? 0 : sum / static_cast<float>(all);
 }
 
-/// A luminance in a smaller size, 1 or less.
+/// A luminance shrunk to a relative size of 1 or less.
 Channel smaller(const Channel& luminance, double size) {
   const auto extent = [&](std::size_t pixels) {
     return static_cast<std::size_t>(static_cast<double>(pixels) * size);
@@ -58,7 +58,7 @@ Channel smaller(const Channel& luminance, double size) {
                                        extent(luminance.columns()));
 }
 
-/// Disc in a photograph, or where noise hides its limb in one of half or a quarter of the size.
+/// Disc in a photograph; if noise hides its limb, found at half or a quarter of the size.
 colour::Disc disc_in(const Channel& luminance) {
   for (const double size : {1., 0.5, 0.25})
     if (const auto disc = colour::limb_of(smaller(luminance, size)))
@@ -69,7 +69,7 @@ colour::Disc disc_in(const Channel& luminance) {
       "lost in noise");
 }
 
-/// Registration by a luminance, at full size or less.
+/// Registration by a luminance, at full or reduced size.
 colour::Registration registered_by(const Channel& luminance, const FitScene& scene,
                                    const MoonPart& moon, const std::optional<double>& scale,
                                    bool roughly) {
@@ -77,7 +77,7 @@ colour::Registration registered_by(const Channel& luminance, const FitScene& sce
   for (double size = 1;; size /= 2) {
     try {
       colour::KnownBefore known{.scale = scale, .roughly = roughly};
-      // finely both discs are by their limbs, whose errors are alike
+      // in fine registration both discs come from their limbs, whose errors are alike
       if (roughly) known.in_render = scene.disc;
       if (size == 1) known.in_photo = moon.disc;
       if (scale) *known.scale *= size;
@@ -95,7 +95,7 @@ colour::Registration registered_by(const Channel& luminance, const FitScene& sce
   }
 }
 
-/// Larger pixels of photograph and scene, over the scene's.
+/// Pixel size of the photograph or the scene, whichever is larger, relative to the scene's.
 double larger_pixel(const colour::Registration& registration) {
   return 1 / std::min(1., registration.render_to_photo.scale);
 }

@@ -7,21 +7,21 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Correlation of a Moon that is recognised without a doubt.
+/// Correlation above which the Moon is recognised beyond doubt.
 constexpr double well = 0.8;
 
-/// Whether two scales are of one lens.
+/// Whether two scales can come from the same lens.
 bool is_alike(double one, double other) {
   constexpr double alike = 0.02;
   return std::abs(one / other - 1) < alike;
 }
 
-/// Pixels of the whole picture, for those of its part of the Moon, over those of a scene [1/rad].
+/// Converts a registration's scale to that of the whole picture [pixels/rad].
 double px_per_scale(const Reading& reading, const FitScene& scene) {
   return reading.moon.shrunk / scene.pixel_rad;
 }
 
-/// Given  px_per_rad  scale of the whole picture, where it is known
+/// Given  px_per_rad  scale of the whole picture, if known
 Placed placed_one(const Stage& stage, const Reading& reading, std::size_t index, double clock_s,
                   std::optional<double> px_per_rad, Registering how) {
   if (!reading.left_out.empty()) return {reading.left_out};
@@ -42,7 +42,7 @@ Placed placed_one(const Stage& stage, const Reading& reading, std::size_t index,
   }
 }
 
-/// Scale with the most agreement among pictures of a photograph's size, by the sum of correlations; 0: none.
+/// Scale on which pictures of a photograph's size agree best, by the sum of correlations; 0 if there is none.
 double agreed_px_per_rad(std::span<const Reading> readings, std::span<const Placed> all,
                          std::size_t index) {
   const auto counts = [&](std::size_t i) {
@@ -62,7 +62,7 @@ double agreed_px_per_rad(std::span<const Reading> readings, std::span<const Plac
   return agreed;
 }
 
-/// Photographs that are placed, in the order in which they were: those in the others' scale last.
+/// Placed photographs in the order of placing: those at the others' scale come last.
 std::vector<std::size_t> order_of(std::span<const Placed> all) {
   std::vector<std::size_t> order;
   for (const bool late : {false, true})
@@ -71,7 +71,7 @@ std::vector<std::size_t> order_of(std::span<const Placed> all) {
   return order;
 }
 
-/// A photograph registered in the others' scale; left out where it is less like the Moon then.
+/// A photograph registered at the others' scale; left out if it then looks less like the Moon.
 Placed in_scale(Placed found, const Placed& before, const Reading& reading) {
   constexpr double as_well = 0.9;
   const double alike = before.left_out.empty() ? before.registration.correlation : 0,
@@ -124,7 +124,7 @@ std::vector<Placed> placed_again(const Stage& stage, std::span<const Reading> re
       all[i].registration = again;
       scene.glow = glow_of(scene);
       all[i].scene = std::make_shared<const FitScene>(std::move(scene));
-    } catch (const algebra::Error&) {  // it stays as it was registered in the usual air
+    } catch (const algebra::Error&) {  // keep its registration in the usual air
     }
   }
   return all;

@@ -17,7 +17,7 @@ Indices sizes_of(const Axes& axes) { return {axes[0].size(), axes[1].size(), axe
 /// Number of steps into which each step of a grid is divided.
 constexpr std::size_t refinement = 4;
 
-/// An axis, each step divided by `refinement`.
+/// An axis with each step divided by `refinement`.
 std::vector<double> finer(const std::vector<double>& axis) {
   std::vector<double> all;
   for (std::size_t i = 0; i + 1 < axis.size(); ++i)
@@ -28,9 +28,9 @@ std::vector<double> finer(const std::vector<double>& axis) {
   return all;
 }
 
-/// Values on an axis made finer, by the cubic polynomial through the four nearest points.
+/// Values on a refined axis, from the cubic polynomial through the four nearest points.
 ///
-/// Given  before  product of the numbers of points on the axes that run slower
+/// Given  before  product of the numbers of points on the slower axes
 std::vector<double> finer_along(const std::vector<double>& axis, std::size_t before,
                                 const std::vector<double>& values) {
   const auto places = finer(axis);
@@ -50,7 +50,7 @@ std::vector<double> finer_along(const std::vector<double>& axis, std::size_t bef
   return all;
 }
 
-/// Calls `act` with the indices of each grid point and its place among all, the last axis running fastest.
+/// Calls `act` with the indices of each grid point and its number, the last axis running fastest.
 template <class Act>
 void for_each_point(const Axes& axes, const Act& act) {
   const auto [n0, n1, n2] = sizes_of(axes);
@@ -112,7 +112,7 @@ Posterior posterior(const Axes& axes, const std::vector<double>& chi_squared) {
   const auto covariance = [&](std::size_t a, std::size_t b) {
     return moments[a][b] / sum - mean[a] * mean[b] / (sum * sum);
   };
-  constexpr double one_sigma = 0.158655;  // tail beyond it of a normal distribution
+  constexpr double one_sigma = 0.158655;  // tail of a normal distribution beyond it
   for (std::size_t a = 0; a < 3; ++a) {
     result.estimates[a] = {quantile(axes[a], density[a], 0.5),
                            quantile(axes[a], density[a], one_sigma),

@@ -6,13 +6,13 @@
 
 namespace coppermoon::uses {
 
-/// Grid over three unknowns: increasing values of each.
+/// Axes of a grid over three unknowns: increasing values for each.
 using Axes = std::array<std::vector<double>, 3>;
 
 /// Marginal posterior of one unknown.
 struct Estimate {
   double median = 0, low = 0, high = 0;  ///< low to high: the central 68 % interval
-  double information = 0;                ///< 1 − posterior variance over prior variance: 0 to 1
+  double information = 0;                ///< 1 − posterior variance / prior variance, 0 to 1
 };
 
 /// Posterior of three unknowns.
@@ -26,15 +26,15 @@ struct Posterior {
 ///
 ///     p ∝ exp(−χ²/2)
 ///
-/// Given     axes         two points or more on each
+/// Given     axes         two or more points on each
 ///           chi_squared  χ² at each point, the last axis running fastest
-/// Accuracy  medians and limits: a tenth of a grid step where steps are below half a standard deviation
+/// Accuracy  medians and limits: a tenth of a grid step if steps are below half a standard deviation
 Posterior posterior(const Axes& axes, const std::vector<double>& chi_squared);
 
-/// Divides each step of a grid by four. Between its points χ² is interpolated by the cubic polynomial through the four
-/// nearest on an axis: exact for a normal distribution, also along a ridge that is narrower than a step.
+/// Divides each step of a grid by four. Between points, χ² is interpolated by the cubic polynomial through the four
+/// nearest points on an axis, which is exact for a normal distribution, even along a ridge narrower than a step.
 ///
-/// Given  steps within a standard deviation: elsewhere χ² is no cubic polynomial
+/// Given  axes  with steps within a standard deviation; over longer steps χ² is not cubic
 void make_finer(Axes& axes, std::vector<double>& chi_squared);
 
 }  // namespace coppermoon::uses

@@ -10,19 +10,19 @@
 
 namespace coppermoon::uses {
 
-/// A photograph as its file has it, whatever the moment.
+/// What a photograph's file contains, whatever its moment.
 struct Reading {
-  std::string left_out{};  ///< reason in one line why it has no Moon; empty: it has one
+  std::string left_out{};  ///< why no Moon was read, in one line; empty if one was
   MoonPart moon{};
   std::array<std::size_t, 2> extent{};    ///< width and height of the whole picture [pixels]
-  bool curved = false;                    ///< by its camera's own tone curve
-  std::optional<ClippedAt> clipped_at{};  ///< number that became 1; without: it was 1
-  PhotometricErrors errors{};             ///< but for that of its place
+  bool curved = false;                    ///< whether it has its camera's own tone curve
+  std::optional<ClippedAt> clipped_at{};  ///< number in the file that became 1, if not 1 itself
+  PhotometricErrors errors{};             ///< all but the error of its place
 };
 
 /// Reads a photograph.
 ///
-/// Given  request  response, and errors of exposure, colours and weather
+/// Given  request  for its response and its errors of exposure, colours and weather
 Reading reading_of(const FitRequest& request, const EclipsePhotograph& photograph);
 
 }  // namespace coppermoon::uses

@@ -31,7 +31,7 @@ using std::numbers::pi;
 
 constexpr std::size_t texture_rows = 512;
 
-/// Least cosine of emission of ground that is compared: nearer the limb, errors of the map and blur are larger.
+/// Least cosine of the emission angle for compared ground: nearer the limb, map errors and blur are larger.
 constexpr double least_cosine = 0.4;
 
 constexpr std::size_t bin_count = 16;
@@ -54,7 +54,7 @@ Channel sunlit_map(const MoonRequest& moon, const FitGroundwork& groundwork,
   return channel_of(image, 0);
 }
 
-/// Ground of a pixel, and its place in the shadow.
+/// The ground that a pixel shows, and its place in the shadow.
 struct Ground {
   std::size_t pixel;
   glm::dvec3 ground;
@@ -79,7 +79,7 @@ std::vector<Ground> grounds_of(const povray_scenes::SceneCamera& camera,
   return grounds;
 }
 
-/// Picture of a map: each pixel has the value of its ground.
+/// Picture of a map: each pixel has the map's value at its ground.
 Channel picture_of(const Channel& map, const std::vector<Ground>& grounds) {
   Channel picture(fit_side_px, fit_side_px);
   for (const auto& ground : grounds)
@@ -116,7 +116,7 @@ void bin(FitScene& scene, const Channel& sunlit, const std::vector<Ground>& grou
   for (std::size_t b = 0; b < bin_count; ++b) scene.distances_km[b] /= std::max(1., counts[b]);
 }
 
-/// Light for registration, to 5 %.
+/// Request for light to register photographs by, accurate to 5 %.
 LightRequest to_register(const LightRequest& light) {
   LightRequest coarse;
   coarse.air = light.air;
@@ -160,7 +160,7 @@ colour::Image moon_in_rgb(const FitScene& scene, const std::optional<std::string
   return moon;
 }
 
-/// Light of a picture in each bin over sunlit light: (bin, channel).
+/// Ratio of a picture's light to sunlit light in each bin: (bin, channel).
 algebra::Grid<double> over_sunlit(const FitScene& scene, const colour::Image& picture) {
   algebra::Grid<double> values(scene.bins, 3);
   std::vector<double> sunlit(scene.bins);
@@ -173,8 +173,8 @@ algebra::Grid<double> over_sunlit(const FitScene& scene, const colour::Image& pi
   return values;
 }
 
-/// Weights of moonlight through a response, then as each other camera and the CIE 1931 observer see it: (X Y Z of each,
-/// band).
+/// Weights of moonlight through a response, then as seen by each other camera and the CIE 1931 observer: (X Y Z of
+/// each, band).
 algebra::Grid<double> through_all_filters(const std::optional<std::string>& response) {
   std::vector<algebra::Grid<double>> all{xyz_of_moonlight(response)};
   auto names = colour::camera_spectra_names();
@@ -187,7 +187,7 @@ algebra::Grid<double> through_all_filters(const std::optional<std::string>& resp
   return weights;
 }
 
-/// As FitScene has them.
+/// Differences for FitScene::by_filters.
 std::vector<algebra::Grid<double>> differences_by_filters(const FitScene& scene,
                                                           const shadow::Lookup& by_filters) {
   algebra::Grid<double> sums(scene.bins, by_filters.channels());
@@ -217,7 +217,7 @@ std::vector<algebra::Grid<double>> differences_by_filters(const FitScene& scene,
 }  // namespace
 
 std::array<double, 3> rec709_of(std::span<const double> xyz) {
-  constexpr double dark = 1e-12;  // darker colours round to negative values
+  constexpr double dark = 1e-12;  // darker colours may round to negative values
   if (xyz[1] < dark) return {dark, dark, dark};
   static const auto from_xyz = colour::channels_from_xyz(colour::WorkingSpace::linear_rec709);
   const auto rgb = from_xyz * glm::dvec3(xyz[0], xyz[1], xyz[2]);
@@ -276,7 +276,7 @@ FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
 }
 
 colour::Image glow_of(const FitScene& scene) {
-  constexpr float share = 0.5;  // cancels
+  constexpr float share = 0.5;  // any share: it cancels out
   auto glow = colour::with_glow(scene.moon, share, scene.pixel_rad);
   for (std::size_t i = 0; i < glow.values().size(); ++i)
     for (std::size_t k = 0; k < 3; ++k)

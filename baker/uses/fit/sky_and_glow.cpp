@@ -9,7 +9,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Standard deviation of values among which some are outliers, from their median absolute deviation.
+/// Standard deviation of values that include outliers, from their median absolute deviation.
 double spread_of(AroundTheDisc values) {
   constexpr double of_normal = 1.4826;
   const double middle = median_of(values);
@@ -17,7 +17,7 @@ double spread_of(AroundTheDisc values) {
   return of_normal * median_of(values);
 }
 
-/// Pixel of the ring around the disc, and its sector.
+/// A pixel in the ring around the disc, and its sector.
 struct RingPixel {
   std::size_t pixel, sector;
 };

@@ -8,27 +8,27 @@
 
 namespace coppermoon::uses {
 
-/// Unknowns of the air that a fit looks for: three numbers, of aerosol, of cloud and of ozone.
+/// Unknowns of the air that a fit looks for: three numbers, for aerosol, cloud and ozone.
 enum class Unknowns {
   factors,  ///< on the month's stratospheric aerosol, on its chance of cloud, on its ozone
   amounts  ///< dust [1/m], share of the limb under a deck of cloud (in place of cloud by chance), ozone [DU]
 };
 
-/// One unknown: its name, as a parameter of the air has it, and its prior, which is uniform between two limits.
+/// One unknown: its name as a parameter of the air, and its prior, which is uniform between two limits.
 struct Unknown {
   std::string_view parameter;  ///< "stratospheric-factor"
-  std::string_view key;        ///< of JSON and Python: "stratospheric_factor"
+  std::string_view key;        ///< in JSON and Python: "stratospheric_factor"
   std::string_view title;      ///< "stratospheric aerosol"
-  std::string_view unit;       ///< empty: a pure number
+  std::string_view unit;       ///< empty for a pure number
   double least, most;
   bool logarithmic;  ///< whether the prior is uniform in the logarithm
 
-  /// Place of a value on a posterior's axis, the logarithm where that is uniform; and the value of a place.
+  /// Converts a value to its place on a posterior's axis, its logarithm if the prior is logarithmic, and back.
   double on_axis(double value) const;
   double from_axis(double place) const;
 };
 
-/// Numbers of the unknowns: aerosol, cloud, ozone.
+/// Values of the unknowns: aerosol, cloud, ozone.
 using AirNumbers = std::array<double, 3>;
 
 /// The three unknowns, in the order of AirNumbers.
@@ -37,19 +37,19 @@ using AirNumbers = std::array<double, 3>;
 ///     amounts   dust-extinction 2e-7 to 3e-5 1/m (logarithmic), cloud-cover 0 to 1, ozone-du 100 to 500
 const std::array<Unknown, 3>& unknowns_of(Unknowns unknowns);
 
-/// Limits of the unknowns' numbers: least and most of aerosol, of cloud and of ozone.
+/// Limits of the unknowns: least and greatest value for aerosol, cloud and ozone.
 using AirRange = std::array<std::array<double, 2>, 3>;
 
-/// Limits of the unknowns' priors.
+/// Limits of the priors.
 AirRange whole_range(Unknowns unknowns);
 
-/// Unknowns that suit an air: factors where it has cloud by chance and aerosol of a month, else amounts.
+/// Unknowns that suit an air: factors if it has a chance of cloud and a month's aerosol, else amounts.
 Unknowns usual_unknowns(const Air& air);
 
-/// Air with all fitted factors 1: factors on it are then values of the parameters.
+/// Air with all fitted factors set to 1, so that factors on it equal the values of the parameters.
 Air with_unit_factors(Air air);
 
-/// Air of a request with these numbers of the unknowns, as a bake takes it.
+/// Air of a request with the unknowns set to these values, as for a bake.
 Air with_unknowns(Air air, Unknowns unknowns, const AirNumbers& numbers);
 
 }  // namespace coppermoon::uses

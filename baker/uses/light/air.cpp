@@ -23,10 +23,10 @@ namespace {
 using atmosphere::Column;
 using atmosphere::StratosphericAerosol;
 
-/// Largest number of regions: five degrees of the limb each.
+/// Largest number of regions: one for every five degrees of the limb.
 constexpr std::size_t most_regions = 72;
 
-/// Latitude and year of a column of air.
+/// The latitude of a column of air, and the year.
 struct Standing {
   algebra::Angle latitude;
   double year;
@@ -85,7 +85,7 @@ Column changed(Column column, const ColumnChange& change, const Standing& standi
   return column;
 }
 
-/// Moment of the air: tilt of the pole, and year.
+/// What the air needs to know of a moment: the tilt of the Earth's pole, and the year.
 struct AirMoment {
   algebra::Angle sun_declination;
   double year;
@@ -102,7 +102,7 @@ atmosphere::Belts belts_in(const AirRegion& region, atmosphere::Belts belts,
   return belts;
 }
 
-/// Region of the limb that a request names; none where the limb does not reach its latitudes.
+/// The region on the limb for a request's region, or nothing if the limb does not reach its latitudes.
 std::optional<atmosphere::Region> region_on_limb(const AirRegion& region,
                                                  const atmosphere::Atmosphere& air,
                                                  const AirMoment& moment) {
@@ -155,7 +155,7 @@ bool depends_on_latitude(const ColumnChange& change) {
          (stratosphere && std::holds_alternative<DatedAerosol>(*stratosphere));
 }
 
-/// Whether a term of the request differs from latitude to latitude.
+/// Whether any requested term varies with latitude.
 bool depends_on_latitude(const Air& asked) {
   return asked.density == atmosphere::Density::seasonal ||
          asked.ozone_profile == OzoneProfile::climatology || depends_on_latitude(asked.column) ||
@@ -211,7 +211,7 @@ AirMoment moment_of(const almanac::SkyState& sky) {
   return {eclipse::shadow_axis(sky).sun_declination, almanac::year_of(sky.when)};
 }
 
-/// Scale of the eclipse of a night, in all air or in that of one region.
+/// Danjon's scale for a night's eclipse, with changes in all the air or in one region alone.
 DanjonScale scale_of(const Air& asked, const std::optional<AirRegion>& region,
                      const almanac::SkyState& night) {
   const auto greatest =
@@ -224,8 +224,8 @@ DanjonScale scale_of(const Air& asked, const std::optional<AirRegion>& region,
   return {air, sky};
 }
 
-/// Clearness for a step of Danjon's scale, in all air or in that of one region. Scales are kept: all frames of a film ask
-/// for the same.
+/// Clearness for a step on Danjon's scale, for all the air or for one region. Scales are cached, since all frames of a
+/// film need the same one.
 double clearness_found(const Air& asked, std::optional<AirRegion> region, int step,
                        const almanac::SkyState& sky) {
   struct Found {

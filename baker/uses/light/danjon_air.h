@@ -11,37 +11,36 @@
 
 namespace coppermoon::uses {
 
-/// Air whose cloud and aerosol are scaled by one number, or increased in the stratosphere.
+/// The given air with cloud and aerosol scaled by one number, or with more aerosol in the stratosphere.
 ///
-/// Given     clearness  1: no cloud, no aerosol; 0: the air unchanged; below 0: its amount is added to the optical
-///                      depth of the stratosphere
-/// Returned  air of belts, with all its columns changed
+/// Given     clearness  1: no cloud, no aerosol; 0: the air unchanged; below 0: its magnitude is added to the
+///                      optical depth of the stratosphere
+/// Returned  air in belts, with all its columns changed
 atmosphere::Atmosphere cleared(atmosphere::Atmosphere air, double clearness);
 
-/// Interval in which clearness is searched for, and distance from its ends within which the search has failed.
+/// Interval in which clearness is searched for. A search that ends within the error of either end has failed.
 inline constexpr double darkest_clearness = -2, brightest_clearness = 1,
                         clearness_error = 2. / 1024;
 
-/// Clearness for each step L of Danjon's scale, of the eclipse nearest to a moment: at its greatest phase the Moon has
-/// the visual magnitude that goes with L.
+/// Clearness for each step L on Danjon's scale, for the eclipse nearest to a moment. With this clearness, the Moon at
+/// greatest eclipse has the visual magnitude that corresponds to L.
 ///
 ///     m = 4.2 − 3 L + (L/2)²
 ///
 /// In an eclipse that is not total, the Moon is placed just inside the umbra.
 ///
-/// Accuracy  0.15 mag: the Moon is taken as even, its light by ten bands at a few places
-/// Source    H. C. Vital's correlation of observers' estimates (REA Brazil, 2004 to 2015); what the
-///           air is cleared of is ours
+/// Accuracy  0.15 mag: the Moon is taken to be uniform, and its light is computed in ten bands at a few places
+/// Source    H. C. Vital's correlation of observers' estimates (REA Brazil, 2004 to 2015); the
+///           choice of what to clear from the air is ours
 class DanjonScale {
  public:
-  /// Given  air  of belts, of that night
+  /// Given  air  in belts, on that night
   DanjonScale(const atmosphere::Atmosphere& air, const almanac::SkyState& sky);
 
-  /// Clearness for a step. Magnitudes that are found on the way are kept for other steps, which do not change the
-  /// result.
+  /// Clearness for a step. Magnitudes found on the way are kept to speed up other steps, without changing results.
   ///
   /// Given     l  0 to 4
-  /// Returned  −2 to 1; at these ends the magnitude may be another
+  /// Returned  −2 to 1; at either end the magnitude may not be reached
   /// Throws    Error  when l is outside its range
   double clearness(int l);
 
@@ -50,7 +49,7 @@ class DanjonScale {
     double clearness, magnitude;
   };
 
-  /// Adds a clearness and its magnitude to those known, in order of clearness; magnitudes fall.
+  /// Adds a clearness and its magnitude to the known ones, in order of clearness, so that magnitudes decrease.
   void add(double clearness, std::vector<Known>& known);
 
   std::function<double(double clearness)> magnitude_;

@@ -10,13 +10,13 @@
 
 namespace coppermoon::uses {
 
-/// Version of coppermoon, as "0.2.0".
+/// Version of coppermoon, such as "0.2.0".
 std::string_view version();
 
-/// Moment in UTC as OpenEXR's capDate: "2008:02:21 03:08:26".
+/// Moment in UTC in the form of OpenEXR's capDate: "2008:02:21 03:08:26".
 std::string capture_date(const almanac::Instant& instant);
 
-/// Attributes of a scene-linear image in cd/m²: colour space, moment, program.
+/// Header attributes for a scene-linear image in cd/m²: colour space, moment and program.
 texture::Attributes scene_linear_header(colour::WorkingSpace space, const almanac::Instant& when);
 
 /// Replaces the colour space in the header of a scene-linear image.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A line of JSON that describes the light, the bytes of its numbers, and the fingerprint of both.
+// The file holds a line of JSON that describes the light, the bytes of its numbers, and a fingerprint of both.
 #include "uses/light/light_file.h"
 
 #include <fmt/format.h>
@@ -103,7 +103,7 @@ void append(const Grids& grids, std::string& bytes) {
                  grid.values().size() * sizeof(double));
 }
 
-/// Grids that follow a header: light, and with noise its standard errors.
+/// Reads the grids that follow a header: the light, and for noisy light its standard errors.
 bool read_grids(std::string_view bytes, shadow::RefractedLight& light) {
   const std::size_t rows = light.axis_distances_m.size(), columns = light.wavelengths_nm.size(),
                     size = rows * columns * sizeof(double),
@@ -131,7 +131,7 @@ bool ascend(std::span<const double> values) {
          std::ranges::adjacent_find(values, std::greater_equal()) == values.end();
 }
 
-/// Light that a header describes, its grids sized but empty. Sizes are checked here, before any grid is read.
+/// Refuses light with sizes or settings out of bounds. Sizes are checked before any grid is read.
 void require_sound(const Moonlight& light) {
   const auto& work = light.plan.work;
   const auto& refracted = *light.refracted;
@@ -155,7 +155,7 @@ void require_sound(const Moonlight& light) {
   require(range.sectors.count > 0 && range.sectors.first < range.sectors.around);
 }
 
-/// Whether light is within bounds: at most unobstructed sunlight, or more where few photons make noise.
+/// Refuses light above unobstructed sunlight. Light from photons may be brighter, since few photons are noisy.
 void require_sound(const shadow::RefractedLight& light) {
   const double most = light.photons > 0 ? 1e12 : 1;
   for (const auto* grids : {&light.ratio, &light.standard_error})

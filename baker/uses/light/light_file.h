@@ -9,28 +9,27 @@
 
 namespace coppermoon::uses {
 
-/// Writes light without its direct part, with its plan without the seconds of this machine; the file appears whole or
-/// not at all.
+/// Writes light and its plan, except for direct light and this machine's timings. The file appears whole or not at all.
 ///
-/// Given   key    recipe of all that the light depends on
-/// Throws  Error  one line with the path, when it cannot
+/// Given   key    recipe with everything that the light depends on
+/// Throws  Error  one line with the path, when the file cannot be written
 void write_light(const std::filesystem::path& path, const std::string& key, const Moonlight& light);
 
-/// Whether a file is light of write_light's, perhaps damaged: it begins like one, or is empty.
+/// Whether a file was written by write_light, even if damaged: it begins like such a file, or is empty.
 ///
 /// Throws  Error  as files::beginning_of
 bool is_light(const std::filesystem::path& path);
 
-/// Light of a file, and its key.
+/// Light read from a file, with its key.
 struct KeptLight {
   std::string key;
   Moonlight light;
 };
 
-/// Reads the light of write_light, bit by bit the same.
+/// Reads light written by write_light, identical bit for bit.
 ///
 /// Returned  nothing when there is no such file, its checksum fails, or a number or length is out of bounds
-/// Throws    Error  when it is a folder, a device or a pipe
+/// Throws    Error  when the path is a folder, a device or a pipe
 std::optional<KeptLight> read_light(const std::filesystem::path& path);
 
 }  // namespace coppermoon::uses

@@ -53,7 +53,7 @@ std::string text_of(const std::optional<Stratosphere>& stratosphere) {
                            std::get<atmosphere::StratosphericAerosol>(*stratosphere));
 }
 
-/// A term that may be left out, and its switch.
+/// A term that may be left out, and the member that switches it.
 struct Term {
   std::string_view name;
   bool plan::Work::*in;
@@ -93,7 +93,7 @@ double budget_of(const std::string& text) {
   return *budget;
 }
 
-/// Where photons make the light: a plan takes them where they are asked for.
+/// Conditions under which photons compute the light. A plan uses photons only if they are requested.
 const request::Conditions as_the_paper{{"quality", {"paper"}}},
     of_photons{{"solver", {"photons", "literal"}}, {"photons"}, {"quality", {"paper"}}};
 
@@ -103,7 +103,7 @@ double tolerance_named(const std::string& quality) {
   return quality == "reference" ? 5e-4 : 0.01;
 }
 
-/// Regions as their texts, which the parameter keeps beside them.
+/// Parameter that reads regions from texts and keeps the texts for printing.
 request::Parameter regions_of(std::vector<AirRegion>& regions) {
   request::Parameter made;
   made.name = "region";
@@ -264,7 +264,7 @@ void describe_terms(Parameters& is, Air& air) {
 
 namespace {
 
-/// Relations among the terms of all air. Air of Danjon's scale, and regions, may have what the air around them lacks.
+/// Sets which terms require others. Air on Danjon's scale and regions may have terms that the rest of the air lacks.
 void relate(Parameters& is) {
   using request::Conditions;
   const auto with = [](Conditions any) {
@@ -449,7 +449,7 @@ plan::Work everything_but(const std::string& list) {
 
 namespace {
 
-/// "ozone 300 DU", "stratospheric aerosol extreme".
+/// A setting in words, such as "ozone 300 DU" or "stratospheric aerosol extreme".
 std::string in_words(std::string name, const std::string& value) {
   std::string unit;
   for (const auto& [ending, its_unit] : {std::pair{"-km", " km"}, std::pair{"-du", " DU"}})

@@ -18,7 +18,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Largest number of photons that a tolerance may ask for.
+/// Largest number of photons that a tolerance may require.
 constexpr double most_photons = 1e10;
 
 shadow::PhotonSettings photon_settings(const LightRequest& request) {
@@ -34,7 +34,7 @@ shadow::PhotonSettings photon_settings(const LightRequest& request) {
   return settings;
 }
 
-/// Refuses settings of a solver before it runs, also those of the solver that is not used.
+/// Refuses bad settings before any solver runs, including settings for solvers that are not used.
 void require_sound(const LightRequest& request) {
   photon_settings(request);
   require_knobs(request.by_hand);
@@ -56,7 +56,7 @@ std::optional<shadow::PhotonSums> added(const std::vector<std::filesystem::path>
   return all;
 }
 
-/// Input of a solver: air, planes, wavelengths, and places.
+/// Input for a solver: air, planes, wavelengths and places.
 struct Rig {
   atmosphere::Atmosphere air;
   shadow::Arrangement arrangement;
@@ -74,7 +74,7 @@ struct Rig {
   shadow::DirectLight direct_light() const { return {air, arrangement, wavelengths_nm}; }
 };
 
-/// Photons of the shard that is asked for, with the sums of files added; the sums are kept where a file is named.
+/// Light from the photons of the requested shard, plus the sums from files. Writes the sums if a file to keep is named.
 shadow::RefractedLight light_of_photons(const PhotonFiles& files, const Rig& rig,
                                         shadow::PhotonSettings settings,
                                         const algebra::Progress& progress) {
@@ -89,7 +89,7 @@ shadow::RefractedLight light_of_photons(const PhotonFiles& files, const Rig& rig
   return shadow::estimated(sums);
 }
 
-/// Traces photons until the tolerance is met, at most `most`; or as many as are asked for.
+/// Traces photons until the tolerance is met, at most `most` of them, or exactly as many as the request asks for.
 shadow::RefractedLight photons_of(const LightRequest& request, const Rig& rig,
                                   const std::optional<shadow::StoppingRule>& enough, double most,
                                   const algebra::Progress& progress) {
@@ -103,21 +103,21 @@ shadow::RefractedLight photons_of(const LightRequest& request, const Rig& rig,
   return shadow::smoothed(light, request.smoothing_km * 1e3);
 }
 
-/// Whether scattered light is left out that may be a twentieth of the error or more.
+/// Whether the plan leaves out scattered light that may amount to more than a twentieth of the error.
 bool leaves_scattered_light(const plan::Plan& plan) {
   const auto& all = plan.left_out;
   const auto scattered = std::ranges::find(all, plan::Term::scattered_light, &plan::LeftOut::term);
   return scattered != all.end() && scattered->size > plan.error / 20;
 }
 
-/// Relative error of luminance found on the disc; with photons at least two standard errors.
+/// Relative error of luminance, measured on the disc. For photons it is at least two standard errors.
 ///
-/// Given  twilight  what the light has; none where it was left out
+/// Given  twilight  scattered light that is in the light; nothing if it was left out
 double found_error(const ShadowedMoon& moon, const Moonlight& light,
                    const std::optional<shadow::RefractedLight>& twilight) {
   const auto weights = at_wavelengths(luminance_weights(), light.plan.work.bands);
   const auto luminance = light.in_sums(weights, light.range);
-  constexpr double between_places = 1.2;  // light errs by more than where it was looked at
+  constexpr double between_places = 1.2;  // errors between samples may be larger
   const double found = between_places * error_found(moon, light.plan.work, luminance,
                                                     {twilight, leaves_scattered_light(light.plan)});
   const auto distances = distances_over_the_disc(moon);
@@ -155,7 +155,7 @@ shadow::RefractedLight planned_refracted_light(const LightRequest& request, cons
   auto limited = request;
   limited.solver = plan.work.solver;
   if (request.wish.budget_s && !request.photons) limited.photons = plan.work.photons;
-  // who asked for none does not wait until the darkest sector has enough of them
+  // without a requested number, do not wait until the darkest sector has enough photons
   const double most = wants_photons(request) ? most_photons : std::max(1e6, 16 * plan.work.photons);
   const auto& distances = rig.axis_distances_m;
   const shadow::StoppingRule enough{
@@ -163,7 +163,7 @@ shadow::RefractedLight planned_refracted_light(const LightRequest& request, cons
   return photons_of(limited, rig, enough, most, progress);
 }
 
-/// Distance rounded to the metre, for processors round differently.
+/// Compares arrangements with distances to the metre, since processors round differently.
 bool are_alike(const shadow::Arrangement& a, const shadow::Arrangement& b) {
   const auto alike = [](double x, double y) { return std::abs(x - y) < 1; };
   return a.limb_darkening == b.limb_darkening &&

@@ -22,119 +22,119 @@ namespace coppermoon::uses {
 
 /// Photons shared among runs: the shard of this run, and files of sums.
 struct PhotonFiles {
-  std::optional<Shard> shard{};              ///< without: all photons
-  std::filesystem::path keep{};              ///< file that the sums are written to; empty: none
-  std::vector<std::filesystem::path> add{};  ///< files of sums whose photons are added
-  std::string key{};  ///< recipe that the photons depend on; sums of another are refused
+  std::optional<Shard> shard{};              ///< if absent, all photons
+  std::filesystem::path keep{};              ///< file to write the sums to, if not empty
+  std::vector<std::filesystem::path> add{};  ///< files with sums to add
+  std::string key{};  ///< recipe of these photons; sums with a different one are refused
 
-  /// Whether any of these is asked for; other solvers refuse them.
+  /// Whether any of these is requested; other solvers refuse such a request.
   bool asked_for() const { return shard || !keep.empty() || !add.empty(); }
 };
 
 using plan::Solver;
 
-/// Sunlight that the air scatters into the shadow: computed or not; automatic: where it counts.
+/// Whether to compute sunlight that the air scatters into the shadow; automatic: if it matters.
 enum class ScatteredLight { automatic, on, off };
 
 /// Request for light: Sun, Earth and air, and the solver.
 struct LightRequest {
   Air air{};
-  std::optional<bool> limb_darkening{};  ///< without: on, but for the atmosphere "paper"
+  std::optional<bool> limb_darkening{};  ///< if absent, on except with the atmosphere "paper"
   ScatteredLight scattered_light = ScatteredLight::automatic;
   bool starlight = false;
-  /// automatic: the quickest, or photons by the table where `photons` is given
+  /// automatic: the quickest solver, or photons with tables if `photons` is given
   Solver solver = Solver::automatic;
   plan::Wish wish{.tolerance = 0.01};
-  plan::ByHand by_hand{};  ///< settings in place of planned ones, but for solver and photons
-  std::optional<double> photons{};  ///< 1 to 1e12; without: as many as the tolerance asks for
+  plan::ByHand by_hand{};           ///< replace planned settings, except solver and photons
+  std::optional<double> photons{};  ///< 1 to 1e12; if absent, as many as the tolerance needs
   double step_km = 1;               ///< length of a step of a photon's path
   double ring_km = 50;              ///< width of the rings that gather photons
   double smoothing_km = 0;  ///< standard deviation of the Gaussian that smooths them, 0 to 2000
-  std::uint64_t seed = 1;   ///< of the photons
+  std::uint64_t seed = 1;   ///< for the photons
   PhotonFiles photon_files{};
 };
 
-/// Scattered light of a request. With air of Danjon's scale `automatic` is off, as the scale was fitted to observed
-/// eclipses, scattered light included.
+/// Scattered light that a request asks for. With air on Danjon's scale, `automatic` means off, since the scale was
+/// fitted to observed eclipses, which include scattered light.
 ScatteredLight scattered_light_of(const LightRequest& request);
 
 /// Sun's disc, limb-darkened or uniform, and the planes behind the Earth.
 shadow::Arrangement arrangement_of(const LightRequest& request, double sun_distance_m,
                                    std::vector<double> depths_m);
 
-/// Moon of one moment in the shadow of the request's Earth and air.
+/// The Moon at one moment, in the shadow of the requested Earth and air.
 ShadowedMoon shadowed_moon(const LightRequest& request, const almanac::SkyState& sky);
 
-/// Places where light is computed on each plane.
+/// Wavelengths and places at which light is computed on each plane.
 struct LightGrid {
   std::span<const double> wavelengths_nm;
-  std::span<const double> axis_distances_m{};   ///< photons gather in rings of their own
-  std::size_t around = shadow::sectors_around;  ///< sectors, where light differs around the axis
+  std::span<const double> axis_distances_m{};   ///< photons use rings instead
+  std::size_t around = shadow::sectors_around;  ///< sectors, if light varies around the axis
 };
 
-/// Refracted light by the solver asked for, with scattered light unless it is off or left out (`automatic` includes
-/// it), and with starlight where it is on. Rays and terms of the Sun are chosen for a tolerance of 0.1 %, or the
-/// request's where it is finer.
+/// Refracted light by the requested solver. Scattered light is included unless it is off or left out (`automatic`
+/// includes it), and starlight if it is on. Rays and terms of the Sun are chosen for a tolerance of 0.1 %, or for the
+/// request's if that is finer.
 ///
-/// Throws  Error  when photons are asked for without their number
+/// Throws  Error  when photons are requested without a number of them
 shadow::RefractedLight refracted_light(const LightRequest& request,
                                        const atmosphere::Atmosphere& air,
                                        const shadow::Arrangement& arrangement,
                                        const LightGrid& grid,
                                        const algebra::Progress& progress = {});
 
-/// Light that falls on the Moon's sphere; without `refracted` unshadowed sunlight.
+/// Light that falls on the Moon's sphere. If `refracted` is absent, it is unshadowed sunlight.
 struct Moonlight {
   std::optional<shadow::RefractedLight> refracted;
   std::optional<shadow::DirectLight> direct;
   shadow::LookupRange range;
   plan::Plan plan;
-  /// largest relative error of luminance on the disc, from that at some places, to which a fifth is added; 0: not told
+  /// largest relative error of luminance on the disc: the largest at sample places plus a fifth; 0: not determined
   double error_found = 0;
 
   /// Given  weights  (channel, band)
   shadow::Lookup in_channels(const shadow::ChannelWeights& weights) const;
 
-  /// Given  weights  (channel, wavelength), of the plan's `wavelengths_nm`
+  /// Given  weights  (channel, wavelength), for the plan's `wavelengths_nm`
   shadow::Lookup in_sums(const shadow::ChannelWeights& weights, const shadow::LookupRange& within,
                          shadow::LightPart part = shadow::LightPart::all) const;
 };
 
 /// Refuses a moment without an eclipse.
 ///
-/// Throws  Error  names the nearest eclipse, and then a way out of it
+/// Throws  Error  which names the nearest eclipse, followed by `way_out`
 void require_eclipse(const almanac::Instant& when, const std::string& way_out = {},
                      almanac::Calendar calendar = almanac::Calendar::gregorian);
 
-/// Light on the Moon of one moment, planned and computed.
+/// Plans and computes the light on the Moon at one moment.
 ///
-/// Throws  Error  when the Moon is not in the Earth's shadow at that moment: names the nearest eclipse;
-///                when the request is not sound
+/// Throws  Error  when the Moon is not in the Earth's shadow at that moment (names the nearest eclipse), or the
+///                request is invalid
 Moonlight light_on_the_moon(const LightRequest& request, const almanac::SkyState& sky,
                             const Purpose& purpose = {}, const algebra::Progress& progress = {});
 
-/// Light as if the Earth were away.
+/// Light on the Moon as if the Earth were not there.
 ///
-/// Throws  Error  when the request is not sound
+/// Throws  Error  when the request is invalid
 Moonlight unshadowed_light(const LightRequest& request, const almanac::SkyState& sky);
 
-/// Plan of light_on_the_moon, without its work.
+/// The plan that light_on_the_moon would follow, without computing any light.
 ///
 /// Throws  Error  as light_on_the_moon
 plan::Plan planned_light(const LightRequest& request, const almanac::SkyState& sky,
                          const Purpose& purpose = {});
 
-/// Whether photons make the light: they are the solver, or their number is given.
+/// Whether the request asks for photons, as its solver or by giving their number.
 bool wants_photons(const LightRequest& request);
 
-/// Skies along the Moon's path, at most three minutes apart: the path leaves a chord by 0.1 km.
+/// Skies along the Moon's path, at most three minutes apart. Between them the path strays 0.1 km from a straight line.
 std::vector<almanac::SkyState> skies_between(const almanac::Instant& from,
                                              const almanac::Instant& to);
 
-/// Moon on its path through the shadow.
+/// The Moon on its path through the shadow.
 ///
 /// Given   skies  in order of time, at most a few minutes apart
-/// Throws  Error  when no eclipse is under way at any of them: names the nearest there is
+/// Throws  Error  when no eclipse is under way at any of them (names the nearest eclipse)
 ShadowedMoon moon_on_its_way(const LightRequest& request, std::span<const almanac::SkyState> skies);
 
 /// Light on a Moon's whole path, from one simulation.
@@ -143,10 +143,10 @@ Moonlight light_on_the_way(const LightRequest& request, const ShadowedMoon& moon
 
 /// Adds direct light to light that was read from a file.
 ///
-/// Returned  whether the light belongs to that path
+/// Returned  whether the light belongs to the Moon's path
 bool complete(const LightRequest& request, const ShadowedMoon& moon, Moonlight& light);
 
-/// Range of the light on a Moon's path that its disc takes in at one moment; nothing where all is sunlight.
+/// Range of the light on the Moon's path that its disc covers at one moment; nothing for unshadowed sunlight.
 std::optional<shadow::LookupRange> range_at(const Moonlight& light, const almanac::SkyState& sky);
 
 }  // namespace coppermoon::uses

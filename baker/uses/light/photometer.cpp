@@ -19,7 +19,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Channels: the photometric bands, then luminance.
+/// Responses of the photometer's channels: the photometric bands, then luminance.
 algebra::Grid<double> responses() {
   const auto edges = band_edges_nm();
   const auto bands = photometric_response(edges), xyz = colour::xyz_weights(edges);
@@ -31,7 +31,7 @@ algebra::Grid<double> responses() {
   return all;
 }
 
-/// Irradiance of the Sun at 1 au in each channel.
+/// Irradiance from the Sun at 1 au in each channel.
 std::vector<double> sunlight_in(const algebra::Grid<double>& response) {
   const auto sunlight = photons::solar_irradiance(band_edges_nm());
   std::vector<double> sums(response.rows());

@@ -22,7 +22,7 @@ struct PhotometricBand {
   double solar_magnitude;  ///< of the Sun at 1 au
 };
 
-/// Place of V among the bands.
+/// Index of V among the bands.
 inline constexpr std::size_t V_band = 1;
 
 /// B, V (Johnson) and R (Cousins).
@@ -30,29 +30,30 @@ inline constexpr std::size_t V_band = 1;
 /// Source  V = −26.76, B − V = 0.653, V − R = 0.356: Ramírez et al. (2012), ApJ 752, 5; Willmer (2018), ApJS 236, 47
 std::vector<PhotometricBand> photometric_bands();
 
-/// Numbers of the bands by their names.
+/// Numbers keyed by the names of their bands.
 ///
-/// Given  numbers  [band]; empty: of no band
+/// Given  numbers  [band]; if empty, no band is listed
 algebra::ByName<double> by_band(const std::vector<double>& numbers);
 
-/// Response of these bands to irradiance, [band][wavelength band], peak 1 times the width [nm].
+/// Response of these bands to irradiance, [band][wavelength band]: with a peak of 1, times the wavelength band's width
+/// [nm].
 ///
 /// Given  edges_nm  380 to 780
 /// Omits  the part of R beyond 780 nm, 6 % of it
 /// Source Bessell (1990), PASP 102, 1181
 algebra::Grid<double> photometric_response(std::span<const double> edges_nm);
 
-/// Channels of a texture from which a Moon is measured: photometric_bands, and luminance.
+/// Channels of a texture for measuring the Moon: photometric_bands, and luminance.
 struct Photometer {
   std::vector<std::string> channels;
-  algebra::Grid<double> weights;  ///< [channel][band], of moonlight
-  std::vector<double> sunlight;   ///< [channel], the Sun's at 1 au
+  algebra::Grid<double> weights;  ///< [channel][band], for moonlight
+  std::vector<double> sunlight;   ///< [channel], at 1 au
 };
 
-/// Given  sightline  through the air above an observer, which dims the Moon; without: above the air
+/// Given  sightline  through the air above an observer, which dims the Moon; if absent, the Moon as seen from space
 Photometer photometer(const std::optional<atmosphere::Sightline>& sightline = {});
 
-/// Measures of the whole disc.
+/// Brightness of the whole disc.
 struct DiscBrightness {
   std::vector<double> magnitudes;  ///< [band]; infinite when nothing is lit
   double mean_luminance_cd_m2 = 0;
@@ -73,9 +74,9 @@ void describe_light(Field&& is, const DiscBrightness& disc) {
      "illuminance on a surface that faces the Moon");
 }
 
-/// Magnitudes with a key for each band, `where` behind their meaning.
+/// Describes magnitudes with one key per band, with `where` appended to each meaning.
 ///
-/// Given  disc  none: of numbers that are not known
+/// Given  disc  nullptr if the numbers are not known
 template <class Field>
 void describe_magnitude_columns(Field&& is, const DiscBrightness* disc, const std::string& prefix,
                                 const std::string& where) {
@@ -86,9 +87,9 @@ void describe_magnitude_columns(Field&& is, const DiscBrightness* disc, const st
        algebra::unit::mag, bands[k].name + " magnitude of the whole Moon" + where);
 }
 
-/// What is measured of a disc, all in columns.
+/// Describes everything that is measured on a disc, one column for each number.
 ///
-/// Given  disc  none: of numbers that are not known
+/// Given  disc  nullptr if the numbers are not known
 template <class Field>
 void describe_columns(Field&& is, const DiscBrightness* disc, const std::string& prefix,
                       const std::string& where) {
@@ -100,30 +101,32 @@ void describe_columns(Field&& is, const DiscBrightness* disc, const std::string&
      algebra::unit::illuminance, "illuminance on a surface that faces the Moon" + where);
 }
 
-/// Given  texture  plate carrée, the photometer's channels
-///        from_m   the place it is seen from, geocentric, GCRS axes; the Earth's centre
+/// Brightness of the Moon's disc, measured on a texture.
+///
+/// Given  texture  plate carrée, with the photometer's channels
+///        from_m   the place from which the Moon is seen: geocentric, GCRS axes
 DiscBrightness measured(const Photometer& photometer, const texture::Image& texture,
                         const almanac::SkyState& sky, const glm::dvec3& from_m = {0, 0, 0});
 
 /// Irradiance from the whole Moon in each channel:
 ///
-///     E = Σ L cos e ΔA / d²        e: emission angle, d: texel to the place
+///     E = Σ L cos e ΔA / d²        e: emission angle, d: distance from the texel to the observer
 ///
 /// Given     texture  plate carrée, any channels of radiance or luminance
-///           from_m   the place it is seen from, geocentric, GCRS axes; the Earth's centre
+///           from_m   the place from which the Moon is seen: geocentric, GCRS axes
 /// Returned  [channel]  irradiance or illuminance on a surface that faces the Moon
 std::vector<double> irradiance_of_disc(const texture::Image& texture, const almanac::SkyState& sky,
                                        const glm::dvec3& from_m = {0, 0, 0});
 
-/// Solid angle of the Moon from a place [sr], summed over the texels of irradiance_of_disc.
+/// Solid angle of the Moon as seen from a place [sr], summed over the same texels as in irradiance_of_disc.
 double solid_angle_of_disc(std::size_t rows, const almanac::SkyState& sky,
                            const glm::dvec3& from_m = {0, 0, 0});
 
-/// Danjon's L of a totally eclipsed Moon, by its visual magnitude.
+/// Danjon's L of a totally eclipsed Moon, estimated from its visual magnitude.
 ///
 ///     m = 4.2 − 3 L + (L/2)²
 ///
-/// Returned  L, held to 0 to 4
+/// Returned  L, limited to 0 to 4
 /// Accuracy  0.4 between observers
 /// Source    H. C. Vital's correlation of observers' estimates (REA Brazil, 2004 to 2015)
 double danjon_estimate(double visual_magnitude);

@@ -7,14 +7,14 @@
 
 namespace coppermoon::uses {
 
-/// Writes photons' sums as one JSON document, every number with all its digits; the file appears whole or not at all.
+/// Writes sums of photons as one JSON document, with every digit of every number. The file appears whole or not at all.
 ///
-/// Throws  Error  one line with the path, when it cannot
+/// Throws  Error  one line with the path, when the file cannot be written
 void write_sums(const std::filesystem::path& path, const shadow::PhotonSums& sums);
 
-/// Reads sums of photons, bit by bit as they were written.
+/// Reads sums of photons, identical bit for bit to what was written.
 ///
-/// Throws  Error  "<path>: …" when it cannot be read, is of another kind or version, or holds what sums cannot: lists
+/// Throws  Error  "<path>: …" when the file cannot be read, is of another kind or version, or holds invalid sums: lists
 ///                of the wrong length, numbers that are negative or not finite, blocks out of order
 shadow::PhotonSums read_sums(const std::filesystem::path& path);
 

@@ -14,20 +14,20 @@
 
 namespace coppermoon::uses {
 
-/// Moon in the shadow, at one moment or on its path, with Sun and air.
+/// The Moon in the shadow, at one moment or along its path, with the Sun and the air.
 struct ShadowedMoon {
   eclipse::ShadowPlace centre{};
   double sun_distance_m = 0;
   bool limb_darkening = true;
   atmosphere::Atmosphere air{};
-  std::vector<eclipse::ShadowPlace> path{};  ///< of the centre; empty: one moment
+  std::vector<eclipse::ShadowPlace> path{};  ///< of the Moon's centre; empty for one moment
 };
 
-/// Purpose of the light, for its cost.
+/// What the light is for, which decides what it may cost.
 struct Purpose {
-  double texels = 0;       ///< that are baked; 0: no texture
-  bool map_file = false;   ///< an albedo map is read from a file
-  bool error_told = true;  ///< the error that the light has is found
+  double texels = 0;       ///< number of texels to bake; 0: no texture
+  bool map_file = false;   ///< whether an albedo map is read from a file
+  bool error_told = true;  ///< whether the light's error is determined
 };
 
 /// Refuses knobs set by hand that are outside their ranges.
@@ -35,46 +35,47 @@ struct Purpose {
 /// Throws  Error
 void require_knobs(const plan::ByHand& by_hand);
 
-/// Depths of planes through the half of the Moon that faces the Sun; for a path, equally dense over all its depths.
+/// Depths of planes through the half of the Moon that faces the Sun. For a path, they cover all its depths as densely.
 std::vector<double> depths_of(const ShadowedMoon& moon, int planes);
 
-/// Axis distances at most 200 km apart, from before the disc to behind it.
+/// Axis distances at most 200 km apart, covering the disc with a margin on both sides.
 std::vector<double> distances_over_the_disc(const ShadowedMoon& moon);
 
 /// Air without the terms that some work leaves out (plan::Work).
 atmosphere::Atmosphere air_for(const plan::Work& work, const ShadowedMoon& moon);
 
-/// Sectors of all position angles, between which light runs on cubics. Of a plan of reference quality, deep in the
-/// umbra, 48 leave 7e-4, 64 3e-4, 96 2e-4, other errors among them.
+/// Number of sectors around the axis, between which light is interpolated by cubics. In a plan of reference quality,
+/// the error deep in the umbra is 7e-4 with 48 sectors, 3e-4 with 64 and 2e-4 with 96, other errors included.
 inline constexpr std::size_t sectors_of_a_plan = 96;
 
-/// Settings of the quadrature, with the sectors that the disc takes in and one more on either side.
+/// Settings for the quadrature, with the sectors that the disc covers and one more on either side.
 ///
-/// Given  around  sectors of all position angles
+/// Given  around  number of sectors around the axis
 shadow::QuadratureSettings quadrature_for(const plan::Work& work, const ShadowedMoon& moon,
                                           std::size_t around = sectors_of_a_plan);
 
-/// Scene for the planner; the size of each term is found at a few places, coarsely.
+/// Scene for the planner. The size of each term is roughly estimated at a few places.
 plan::Scene scene_of(const ShadowedMoon& moon, const Purpose& purpose);
 
-/// Speed of this machine, by a small quadrature that is timed.
+/// Speed of this machine, measured by timing a small quadrature.
 plan::Machine this_machine();
 
-/// Weights of wavelengths that give luminance.
+/// Weights of the wavelengths for luminance.
 shadow::ChannelWeights luminance_weights();
 
-/// Scattered light in a check of the error.
+/// How a check of the error treats scattered light.
 struct ScatteredInCheck {
   std::optional<shadow::RefractedLight>
-      computed{};       ///< twilight already in the light (shadow::twilight_about); not checked
-  bool counts = false;  ///< where none was computed, it is part of the error
+      computed{};       ///< twilight already in the light (shadow::twilight_about), not checked
+  bool counts = false;  ///< if not computed, it is part of the error
 };
 
-/// Largest relative error of luminance at sample places, against light with all terms and finer settings (plan::finer).
-/// Places lie evenly over the disc, where direct light begins, and where light is least smooth, at the depth farthest
-/// from all planes. Within one node of the look-up (1 km) of the beginning of all light, the error is no measure.
+/// Largest relative error of luminance at sample places, compared with light with all terms and finer settings
+/// (plan::finer). The places lie evenly over the disc, where direct light begins, and where light is least smooth, at
+/// the depth farthest from all planes. Within one node of the look-up (1 km) of where light begins at all, the error
+/// means nothing.
 ///
-/// Given  luminance  one channel, luminance_weights
+/// Given  luminance  one channel, made with luminance_weights
 double error_found(const ShadowedMoon& moon, const plan::Work& work,
                    const shadow::Lookup& luminance, const ScatteredInCheck& scattered);
 

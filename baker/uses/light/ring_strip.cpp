@@ -27,7 +27,7 @@ using std::numbers::pi;
 constexpr std::size_t ring_columns = 1440, ring_rows = 256;
 constexpr int ring_bands = 40;
 
-/// Observer on the Moon who looks at the Earth; GCRS axes.
+/// Observer on the Moon who looks at the Earth. Vectors are on GCRS axes.
 struct Lookout {
   almanac::SelenographicPoint place;
   glm::dvec3 position_m, zenith, celestial_pole;
@@ -71,15 +71,15 @@ void require_umbra(const Lookout& lookout, const atmosphere::Atmosphere& air,
       direct, in_degrees(lookout.place.latitude), in_degrees(lookout.place.longitude)));
 }
 
-/// Mean radiance of the Sun by wavelength in the space of pictures [cd/m²], times a scale.
+/// Weights by wavelength for the Sun's mean radiance in picture_space [cd/m²], times a scale.
 shadow::ChannelWeights sun_weights(double scale) {
   auto weights = white_ground_weights(colour::channel_weights(picture_space, band_edges_nm()));
   const double radii = almanac::astronomical_unit_m / photons::solar_radius_m;
-  for (double& weight : weights.values()) weight *= scale * radii * radii;  // of E/π
+  for (double& weight : weights.values()) weight *= scale * radii * radii;  // they are for E/π
   return at_wavelengths(weights, ring_bands);
 }
 
-/// Inner and outer edge of the strip: angles from the Earth's centre.
+/// Inner and outer edge of the strip, as angles from the Earth's centre.
 struct Angles {
   double inner_rad, outer_rad;
 
@@ -95,8 +95,10 @@ Angles angles_of(const shadow::LimbRing& ring) {
   return {std::asin(lowest / ring.distance_m()), std::asin(highest / ring.distance_m())};
 }
 
-/// Given  north_rad  position angle of the shadow frame's Y on the sky, where east is against X
-///        weights    of radiance over the Sun's mean, (channel, wavelength)
+/// Image of the ring.
+///
+/// Given  north_rad  position angle of the shadow frame's Y axis on the sky; X points west there
+///        weights    (channel, wavelength), for radiance relative to the Sun's mean
 texture::Image image_of(const shadow::LimbRing& ring, const Angles& angles, double north_rad,
                         const shadow::ChannelWeights& weights) {
   texture::Image image(ring_columns, ring_rows, {"R", "G", "B"});

@@ -10,11 +10,11 @@
 
 namespace coppermoon::uses {
 
-/// Orientation of strip and Earth on the sky. Position angles are about the Earth's centre, from celestial north through
-/// east.
+/// Orientation of the strip and the Earth on the sky. Position angles are measured about the Earth's centre, from
+/// celestial north through east.
 struct RingFigures {
   almanac::SelenographicPoint place;  ///< on the Moon
-  algebra::Angle inner, outer;        ///< of the strip's edges, from the Earth's centre
+  algebra::Angle inner, outer;        ///< angles of the strip's edges from the Earth's centre
   double earth_distance_km = 0;
   algebra::Angle earth_altitude, zenith, sun;  ///< zenith and Sun: position angles
   double scale = 1;
@@ -37,18 +37,18 @@ void describe(Field&& is, const RingFigures& ring) {
   is("scale", ring.scale, "factor on luminance");
 }
 
-/// Earth's ring of sunsets, unrolled, as a place on the eclipsed Moon sees it.
+/// The Earth's ring of sunsets, unrolled, as seen from a place on the eclipsed Moon.
 struct RingStrip {
-  /// linear Rec.709 [cd/m²]; columns: position angle on the sky about the Earth's centre, from celestial
-  /// north through east; rows: even in the angle from that centre, the outer edge on top
+  /// linear Rec.709 [cd/m²]. Columns are position angles on the sky about the Earth's centre, from celestial
+  /// north through east. Rows are evenly spaced in the angle from that centre, with the outer edge at the top.
   texture::Image light;
   RingFigures figures;
   texture::Attributes attributes;  ///< for a file's header
 };
 
 /// Given   request  only its air and its Sun are used
-///         on       place on the Moon; none: the point with the Earth in the zenith
-///         scale    factor of all values, 1e-9 to 1e9
+///         on       place on the Moon; if absent, the point with the Earth at its zenith
+///         scale    factor on all values, 1e-9 to 1e9
 /// Throws  Error    when no eclipse is under way, the Earth is below that place's horizon, direct
 ///                  sunlight falls there, or the air bends no light to it
 RingStrip ring_strip(const LightRequest& request, const almanac::SkyState& sky,

@@ -11,25 +11,25 @@
 
 namespace coppermoon::uses {
 
-/// Plane across the shadow, with air and Sun.
+/// A plane across the shadow, with the air and the Sun.
 struct ShadowCut {
   atmosphere::Atmosphere air;
   shadow::Arrangement arrangement;  ///< one plane
 };
 
-/// Plane through the Moon's centre at one moment, in air without the terms that are left out.
+/// The plane through the Moon's centre at one moment, with air that lacks the terms the request leaves out.
 ShadowCut shadow_at_the_moon(const LightRequest& request, const almanac::SkyState& sky);
 
 /// Places and wavelengths of a profile.
 struct ProfilePlaces {
   std::vector<double> wavelengths_nm{450, 550, 650};  ///< 380 to 780
-  std::vector<double> axis_distances_m{};  ///< increasing; empty: every 100 km, to the shadow's end
-  /// about the axis, from celestial north through east, 0 to 360; without: the mean of all
+  std::vector<double> axis_distances_m{};  ///< increasing; empty: every 100 km to the shadow's edge
+  /// about the axis, from celestial north through east, 0 to 360; if absent, the mean over all of them
   std::optional<double> position_angle_deg{};
 };
 
-/// Irradiance across the shadow over unobstructed sunlight, of light refracted, scattered and direct, and
-/// its standard error: (axis distance, wavelength).
+/// Ratio of irradiance across the shadow to unobstructed sunlight, with refracted, scattered and direct light, and the
+/// ratio's standard error: (axis distance, wavelength).
 struct ShadowProfile {
   std::vector<double> wavelengths_nm, axis_distances_m;
   algebra::Grid<double> ratio, standard_error;
@@ -54,8 +54,8 @@ void describe(Field&& is, const ShadowProfile& profile) {
      "standard error of the ratio, of photons, shape (D, W)");
 }
 
-/// Throws  Error  when no wavelength is given, or a distance is outside 0 to 1e8 m or not above the one
-///                before; as refracted_light
+/// Throws  Error  when no wavelength is given, or a distance is outside 0 to 1e8 m or not greater than
+///                the one before; also as refracted_light does
 ShadowProfile shadow_profile(const LightRequest& request, const ShadowCut& cut,
                              const ProfilePlaces& places = {},
                              const algebra::Progress& progress = {});

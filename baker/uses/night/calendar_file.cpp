@@ -12,7 +12,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Time of RFC 5545: "20180727T202145Z".
+/// A time as in RFC 5545: "20180727T202145Z".
 std::string stamp(const almanac::Instant& when) {
   std::string digits;
   for (const char c : almanac::utc_text(when))
@@ -20,7 +20,7 @@ std::string stamp(const almanac::Instant& when) {
   return digits;
 }
 
-/// Line of RFC 5545, folded after 75 bytes between characters of UTF-8.
+/// A line as in RFC 5545, folded after 75 bytes between UTF-8 characters.
 std::string line(const std::string& text) {
   std::string folded;
   std::size_t in_line = 0;
@@ -38,7 +38,7 @@ std::string line(const std::string& text) {
   return folded + "\r\n";
 }
 
-/// Text with escapes: RFC 5545, 3.3.11.
+/// Text with characters escaped as in RFC 5545, 3.3.11.
 std::string escaped(const std::string& text) {
   std::string value;
   for (const char c : text) {
@@ -48,7 +48,7 @@ std::string escaped(const std::string& text) {
   return value;
 }
 
-/// Fields that all events of a file share; without a place, two are empty.
+/// Fields that all events in a file share; two are empty if there is no place.
 struct Shared {
   std::string place, coordinates, made;
 };
@@ -62,7 +62,7 @@ Shared shared_by(const std::optional<almanac::Observer>& place, const std::strin
           stamp(made)};
 }
 
-/// Event; without an end, of no length. One of a place that has an end has an alarm.
+/// An event; it has no length if there is no end. It has an alarm if it has both a place and an end.
 std::string event(const Shared& shared, const std::string& id, const almanac::Instant& from,
                   const std::optional<almanac::Instant>& to, const std::string& title,
                   const std::string& text) {
@@ -90,7 +90,7 @@ std::string name_of(const eclipse::Eclipse& eclipse) {
   return almanac::date_text(eclipse.greatest) + "-eclipse";
 }
 
-/// Event of an eclipse as a place sees it: from moonrise, or from what is first seen, to moonset or what is last seen.
+/// Event for an eclipse as seen from a place: from moonrise or the first moment seen, to moonset or the last.
 std::string event(const Shared& shared, const Circumstances& night) {
   const auto &first = night.seen.front().first, &last = night.seen.back().second;
   auto from = first, to = last;

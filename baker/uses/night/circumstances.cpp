@@ -18,7 +18,7 @@ namespace {
 
 using almanac::Instant;
 
-/// Position angle of a contact: the limb's point nearest to the shadow's axis, or, of totality, the farthest.
+/// Position angle of a contact: the limb's point nearest to the shadow's axis, or, for totality, the farthest.
 algebra::Angle contact_angle(const std::string& name, const almanac::SkyState& sky) {
   const auto north = glm::row(sky.equator_from_gcrs, 2);
   const double inside = name == "U2" || name == "U3" ? std::numbers::pi : 0,
@@ -28,7 +28,7 @@ algebra::Angle contact_angle(const std::string& name, const almanac::SkyState& s
   return algebra::radians(angle - turn * std::floor(angle / turn));
 }
 
-/// Moonrise and moonset within some hours of the greatest phase.
+/// Moonrises and moonsets within the given hours of the greatest phase.
 std::vector<NightMoment> rises_and_sets(const Circumstances& night, double hours) {
   std::vector<NightMoment> all;
   const auto& greatest = night.eclipse.greatest;
@@ -41,7 +41,7 @@ std::vector<NightMoment> rises_and_sets(const Circumstances& night, double hours
   return all;
 }
 
-/// Time from the nearest contact: "12 min after U1".
+/// Time relative to the nearest contact: "12 min after U1".
 std::string from_contact(const Circumstances& night, const Instant& when) {
   const auto contacts = contacts_of(night.eclipse);
   const auto away = [&](const auto& contact) {
@@ -54,7 +54,7 @@ std::string from_contact(const Circumstances& night, const Instant& when) {
   return fmt::format("{:.0f} min {} {}", std::abs(minutes), minutes > 0 ? "after" : "before", name);
 }
 
-/// Whether the Moon is seen in all of an interval, or in some of it.
+/// Whether the Moon is seen throughout an interval, or during some of it.
 struct Share {
   bool all = false, some = false;
 };
@@ -69,7 +69,7 @@ Share seen_between(const Circumstances& night, const Instant& from, const Instan
   return share;
 }
 
-/// Times in which the Moon is up, by its rises and sets.
+/// Times when the Moon is up, from its rises and sets.
 std::vector<Span> up_spans(const Circumstances& night) {
   const auto &first = *night.eclipse.contacts.P1, &last = *night.eclipse.contacts.P4;
   std::vector<Span> spans;

@@ -32,8 +32,8 @@ Moonlight light_through(const eclipse::Eclipse& eclipse, const MoonRequest& moon
                           progress);
 }
 
-/// Spans of a property of the sky between two moments, looked for every 5 minutes, their edges found to 10 s. The quick
-/// theory of the Moon finds where to look by the full one.
+/// Spans between two moments in which the sky has a property, checked every 5 minutes, with edges found to 10 s. The
+/// quick theory of the Moon finds where to use the full one.
 template <class Property>
 std::vector<Span> spans_of(const Span& whole, const Property& holds) {
   using enum almanac::LunarTheory;
@@ -62,7 +62,7 @@ std::vector<Span> spans_of(const Span& whole, const Property& holds) {
   return spans;
 }
 
-/// Adds moments at which the Moon is first and last seen.
+/// Adds the moments at which the Moon is first and last seen.
 void add_edges(Circumstances& night) {
   const auto near = [&](const Instant& when) {
     return std::ranges::any_of(night.moments, [&](const NightMoment& moment) {

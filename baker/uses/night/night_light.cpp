@@ -23,19 +23,19 @@ namespace {
 
 using almanac::Instant;
 
-/// Level of the umbra's median over saturation, and the most that the sky may have.
+/// Level of the umbra's median relative to saturation, and the highest level allowed for the sky.
 constexpr double umbra_level = 0.18, most_sky_level = 0.5;
-/// Brightness of the lit disc over that at which the umbra begins.
+/// Ratio of the lit disc's brightness to that at which the umbra begins.
 constexpr double umbra_contrast = 200;
-/// Share of the disc that the umbra must take, to be exposed by itself.
+/// Least share of the disc that the umbra must cover to get its own exposure.
 constexpr double least_umbra_share = 0.02;
-/// Between a contact and the exposure just before or after it.
+/// Time between a contact and the exposure just before or after it.
 constexpr double beside_contact_s = 60;
 
-/// Colours of a texture on the disc that faces the Earth, evenly over it.
+/// Colours of a texture at places spread evenly over the disc that faces the Earth.
 std::vector<Rgb> disc_of(const texture::Image& texture, const almanac::SkyState& sky) {
   constexpr int side = 120;
-  constexpr double edge = 0.995;  // texels nearer to the limb are seen edge on
+  constexpr double edge = 0.995;  // texels nearer to the limb are seen edge-on
   const auto towards = almanac::selenographic_direction(sky.sub_earth),
              east = glm::normalize(glm::cross(glm::dvec3(0, 0, 1), towards)),
              north = glm::cross(towards, east);
@@ -55,15 +55,15 @@ std::vector<Rgb> disc_of(const texture::Image& texture, const almanac::SkyState&
   return disc;
 }
 
-/// What an exposure is made for: the disc through the air, the sky before it.
+/// What is exposed: the disc through the air, and the sky in front of it.
 struct Exposed {
   std::vector<Rgb> disc;
   Rgb sky;
-  double spread;  ///< factor of light in the umbra by its standard error
-  bool total;     ///< all of the disc is in the umbra
+  double spread;  ///< factor by which light in the umbra is uncertain (standard error)
+  bool total;     ///< whether all of the disc is in the umbra
 };
 
-/// Exposure times at a camera's f-number and speed.
+/// Finds exposure times for a camera's f-number and speed.
 class Exposer {
  public:
   Exposer(const Development& development, std::optional<double> trailing_s, double longest_s)
@@ -79,7 +79,7 @@ class Exposer {
 
   double f_number() const { return f_number_; }
 
-  /// Fills in the times of a phase.
+  /// Fills in the times for a phase.
   void expose(PhaseExposure& phase, const Exposed& seen) const {
     std::vector<Rgb> dark;
     const double brightest = brightest_of(seen.disc, 0.99);
@@ -97,7 +97,7 @@ class Exposer {
   }
 
  private:
-  /// Brightest channel below which a share of colours lies.
+  /// Value below which the brightest channel of a given share of colours lies.
   static double brightest_of(const std::vector<Rgb>& colours, double share) {
     std::vector<double> levels;
     for (const auto& colour : colours) levels.push_back(std::ranges::max(colour));
@@ -115,7 +115,7 @@ class Exposer {
     return exposures_for(development_, frame, colour::WorkingSpace::linear_rec709).shorter.time_s;
   }
 
-  /// Times of a part within what trailing and the sky allow; none where it is longer than the longest.
+  /// Times for a part, as far as trailing and the sky allow; none if it would exceed the longest time.
   template <class Time>
   std::optional<PartExposure> limited(PhaseExposure& phase, const Rgb& sky, double spread,
                                       const Time& time_of) const {
@@ -138,7 +138,7 @@ class Exposer {
   double longest_s_, per_second_ = 1, f_number_ = 1;
 };
 
-/// Exposure of a phase, of a Moon seen at one moment.
+/// Exposure for a phase, with the Moon as seen at one moment.
 PhaseExposure exposure_of(const std::string& name, const Instant& when, const EclipseLight& light,
                           const ViewRequest& view, const Exposer& exposer, double spread,
                           bool total) {
@@ -171,7 +171,7 @@ bool wholly_up(const almanac::Observer& place, const Instant& when) {
   return algebra::in_radians(above_horizon(place, sky)) > 2 * radius;
 }
 
-/// Share of the Moon's diameter in the umbra, by the axis distance since U1.
+/// Share of the Moon's diameter in the umbra, from the change in axis distance since U1.
 double immersed(const Instant& u1, const Instant& when) {
   const auto distance_m = [](const Instant& then) {
     return algebra::in_metres(eclipse::moon_in_shadow(almanac::sky_at(then)).axis_distance);
@@ -179,7 +179,7 @@ double immersed(const Instant& u1, const Instant& when) {
   return (distance_m(u1) - distance_m(when)) / (2 * algebra::in_metres(almanac::lunar_radius));
 }
 
-/// Moment between U1 or U4 and the greatest phase at which a share of the Moon's diameter is in the umbra, to a second.
+/// Moment between U1 or U4 and the greatest phase when a share of the Moon's diameter is in the umbra, to a second.
 Instant moment_of_share(const Instant& contact, const Instant& greatest, double share) {
   const double seconds = almanac::seconds_between(contact, greatest);
   double from = 0, to = 1;
@@ -190,7 +190,7 @@ Instant moment_of_share(const Instant& contact, const Instant& greatest, double 
   return almanac::later(contact, to * seconds);
 }
 
-/// Phases, each with its own exposure, and their moments in order of time.
+/// Phases that get an exposure each, with their moments, in order of time.
 std::vector<std::pair<std::string, Instant>> phases_of(const Circumstances& night) {
   const auto& eclipse = night.eclipse;
   const auto& c = eclipse.contacts;
@@ -226,13 +226,13 @@ std::vector<std::pair<std::string, Instant>> phases_of(const Circumstances& nigh
   return phases;
 }
 
-/// Progress of a part: passes its fractions 0 to 1 on as `from` to `to`.
+/// Progress of a part of the work: passes its fractions 0 to 1 on as `from` to `to`.
 algebra::Progress part_of(const algebra::Progress& whole, double from, double to) {
   if (!whole) return {};
   return [whole, from, to](double fraction) { whole(std::lerp(from, to, fraction)); };
 }
 
-/// Exposures of the middle of totality at L = 4 to 0, of those Moons that are seen.
+/// Exposures for the middle of totality at L = 4 to 0, for those Moons that are seen.
 std::vector<PhaseExposure> danjon_exposures(const Instant& greatest, const MoonRequest& moon,
                                             const EclipseLight& light, const ViewRequest& view,
                                             const Exposer& exposer,
@@ -262,7 +262,7 @@ std::vector<PhaseExposure> danjon_exposures(const Instant& greatest, const MoonR
   return exposures;
 }
 
-/// Time in which the Moon trails by two pixels of the camera, without one of 4 µm; none without a focal length.
+/// How long the Moon takes to trail by two pixels of the camera (4 µm if unknown); none if there is no focal length.
 std::optional<double> trailing_of(const Circumstances& night, const ViewRequest& view,
                                   const Development& development) {
   constexpr double usual_pixel_um = 4;

@@ -14,34 +14,35 @@ namespace coppermoon::uses {
 
 /// Brightness of the Moon at a moment of its night.
 struct NightLight {
-  std::string name;  ///< of the moment
+  std::string name;  ///< name of the moment
   almanac::Instant when;
   double V_magnitude;                    ///< of the whole Moon, above the air
   double mean_luminance_cd_m2;           ///< of the disc, above the air
-  std::optional<double> faintest_star;   ///< V magnitude, for the naked eye under the sky of the
-                                         ///< place; none where a star of magnitude 0 is not seen
-  std::optional<double> sky_cd_m2 = {};  ///< at the Moon; none of a Moon that is not up
+  std::optional<double> faintest_star;   ///< V magnitude, for the naked eye under the place's sky;
+                                         ///< none if not even a star of magnitude 0 is seen
+  std::optional<double> sky_cd_m2 = {};  ///< at the Moon; none if the Moon is not up
 };
 
-/// Exposure time of a part of the Moon, and the times of a brighter and a darker Moon: the standard error in totality.
+/// Exposure time for a part of the Moon, and the times if the Moon is brighter or darker by the standard error in
+/// totality.
 struct PartExposure {
   double time_s, least_s, most_s;
-  double stops_under = 0;  ///< below what the part asks for, where it would trail
+  double stops_under = 0;  ///< underexposure to keep the Moon from trailing
 };
 
 /// Exposure times for a phase of the eclipse.
 struct PhaseExposure {
   std::string phase;  ///< "full Moon, before P1", "partial, half", "middle of totality, L = 2"
   almanac::Instant when;
-  bool seen = true;  ///< the Moon stands out from its sky; no time without
+  bool seen = true;  ///< whether the Moon stands out from its sky; if not, there are no times
   double sky_over_moon = 0;
-  std::optional<PartExposure> lit{};     ///< the part outside the umbra; in totality the disc
-  std::optional<PartExposure> shadow{};  ///< the part in the umbra, during the partial phase
-  bool too_dark = false;  ///< a part has no time, as it would be longer than the whole eclipse
-  bool by_sky = false;    ///< the sky's light makes a time shorter, by a third of a stop or more
+  std::optional<PartExposure> lit{};  ///< for the part outside the umbra; in totality, for the disc
+  std::optional<PartExposure> shadow{};  ///< for the part in the umbra, during the partial phase
+  bool too_dark = false;  ///< a part has no time because it would exceed the whole eclipse
+  bool by_sky = false;    ///< the sky's light shortens a time by a third of a stop or more
 };
 
-/// Describes a part's time, its range by the error of the forecast, and what is missing where it would trail.
+/// Describes a part's time, its range given the forecast's error, and the underexposure that avoids trailing.
 template <class Field>
 void describe_part(Field&& is, const std::string& name, const std::optional<PartExposure>& part) {
   namespace unit = algebra::unit;
@@ -73,34 +74,34 @@ void describe(Field&& is, const PhaseExposure& phase) {
 
 /// Brightness and exposure times of an eclipse.
 struct NightLights {
-  Circumstances night;  ///< with the times in which the Moon is seen
+  Circumstances night;  ///< with the times when the Moon is seen
   std::vector<NightLight> moments =
-      {};  ///< of each contact, the greatest phase, first and last seen
+      {};  ///< at each contact, the greatest phase, first and last seen
   std::vector<PhaseExposure> exposures = {};
-  double f_number = 0, iso = 0;           ///< of the exposures
+  double f_number = 0, iso = 0;           ///< for the exposures
   std::optional<double> V_error = {};     ///< standard error of V in totality (totality_error_mag)
-  std::optional<double> trailing_s = {};  ///< none without a focal length
+  std::optional<double> trailing_s = {};  ///< none if no focal length is given
 };
 
-/// Brightness of an eclipse at its contacts, and exposure times for its phases while all of the Moon is above the horizon,
-/// from one simulation of the whole eclipse; with `danjon`, times for the middle of totality at L = 0 to 4 too.
+/// Brightness of an eclipse at its contacts, and exposure times for its phases while all of the Moon is above the
+/// horizon, from one simulation of the whole eclipse. With `danjon`, also times for mid-totality at L = 0 to 4.
 ///
-/// Exposes the Moon through the place's air, with the sky's light before it: by the automatic rule of exposures_for, and
-/// the median of the part in the umbra, during the partial phase, to 0.18. No time lets the sky pass half of saturation, or
-/// the Moon trail by two pixels, of the camera or of 4 µm, where a focal length is given.
+/// The Moon is seen through the place's air, with the sky's light added. It is exposed by the automatic rule of
+/// exposures_for; during the partial phase, the median of the part in the umbra is exposed to 0.18. No time lets the
+/// sky exceed half of saturation. If a focal length is given, none lets the Moon trail by two pixels (4 µm if unknown).
 ///
 /// Given   moon  a tolerance of some percent of light is enough for exposures
-///         view  for its observer, the air above and the focal length
+///         view  for its observer, the air above, and the focal length
 ///         development  f-number, speed and camera
 /// Throws  Error  as light_on_the_way, normal_albedo, exposures_for
 NightLights night_lights(const Circumstances& night, const MoonRequest& moon,
                          const ViewRequest& view, const Development& development, bool danjon,
                          const algebra::Progress& progress = {});
 
-/// Nearest time of those that cameras mark in thirds of a stop, 1/8000 to 30 s; a time above 34 s as it is.
+/// Nearest time that cameras offer in thirds of a stop, 1/8000 to 30 s; a time above 34 s is returned unchanged.
 double camera_time_s(double seconds);
 
-/// Time in which the Moon at greatest eclipse trails across the sensor of a camera that does not follow it [s].
+/// How long the Moon at greatest eclipse takes to trail a given length on the sensor of a fixed camera [s].
 ///
 ///     t = trail / (focal length · the Moon's angular speed in the place's sky)
 ///
@@ -110,7 +111,7 @@ double trailing_time_s(const Circumstances& night, double focal_length_mm, doubl
 
 /// V magnitude of the faintest star that the naked eye sees near the zenith.
 ///
-///     7.93 − 5 lg(1 + 10^(4.316 − B/5))        B: the sky's magnitude for each square arc second
+///     7.93 − 5 lg(1 + 10^(4.316 − B/5))        B: the sky's magnitude per square arc second
 ///
 /// Given     sky_cd_m2  luminance of the sky, above 0
 /// Accuracy  0.5 between observers

@@ -11,17 +11,17 @@
 
 namespace coppermoon::uses {
 
-/// Circle of places that have the Moon's upper limb in the horizon, about the place that has the Moon in its zenith.
+/// Circle of places that see the Moon's upper limb on the horizon, around the place with the Moon at its zenith.
 /// Its radius is 90° less the parallax, plus a refraction of 34′ and the semidiameter.
 ///
-/// Given     points  how many, evenly around, 3 or more
-/// Returned  latitude and longitude [degrees], longitude −180 to 180; no elevation counts
-/// Accuracy  0.2°, of a sphere in place of the ellipsoid
+/// Given     points  number of points, evenly spaced, 3 or more
+/// Returned  latitude and longitude [degrees], longitude −180 to 180, at sea level
+/// Accuracy  0.2°, because the ellipsoid is taken as a sphere
 std::vector<std::pair<double, double>> horizon_circle(const almanac::Instant& when,
                                                       std::size_t points);
 
-/// Draws a map, in plate carrée, of where an eclipse is seen: a circle for each contact, the regions that see all or
-/// nothing of the eclipse, and a place.
+/// Draws a plate carrée map of where an eclipse is seen: a circle for each contact, the regions that see all or none
+/// of the eclipse, and a place.
 ///
 /// Given   picture  .png, .svg or .pdf
 /// Throws  Error    for another ending; as write_plot

@@ -33,7 +33,7 @@ std::vector<std::string> channel_names(colour::WorkingSpace space) {
   return {"R", "G", "B"};
 }
 
-/// The middle of the disc, the axis, the distance: how a camera has to look at the globe.
+/// The middle of the disc, the axis and the distance, which tell how a camera has to look at the globe.
 texture::Attributes attitude(const LitMoon& moon) {
   const auto& sky = moon.sky;
   auto middle = sky.sub_earth;
@@ -78,13 +78,13 @@ texture::Attributes header(const LitMoon& moon, const TextureContent& content,
 
 constexpr std::size_t colours = 3;
 
-/// Spectral band as weights of the light looked up after the colours.
+/// A spectral band, as weights for the light that is looked up after the colours.
 struct Band {
   std::size_t first = 0;
   std::vector<float> shares;
 };
 
-/// The channels of one part, and how they come from the light.
+/// The channels of one part, and how they are computed from the light.
 struct Channels {
   std::vector<std::string> names;
   algebra::Grid<double> weights;  // (looked up, wavelength)
@@ -92,7 +92,7 @@ struct Channels {
   std::vector<Band> bands = {};  // after the colours
 };
 
-/// Two matrices, one below the other.
+/// Stacks two matrices, one below the other.
 algebra::Grid<double> stacked(const algebra::Grid<double>& upper,
                               const algebra::Grid<double>& lower) {
   algebra::Grid<double> both(upper.rows() + lower.rows(), upper.columns());
@@ -122,8 +122,8 @@ std::vector<Band> bands_of(const algebra::Grid<double>& shares) {
 
 constexpr double spectrum_nm = 400;
 
-/// "S0.385,000000nm" and so on: the middles of even bands. Looked up are they or the wavelengths they
-/// are made from, which are fewer: a twentieth of the memory for bands of 1 nm.
+/// Adds channels "S0.385,000000nm" and so on, named after the middles of even bands. The bands are looked up, or the
+/// wavelengths they are made from if these are fewer: a twentieth of the memory for bands of 1 nm.
 Channels with_spectrum(Channels channels, double width_nm, int wavelengths,
                        const std::optional<atmosphere::Sightline>& sightline) {
   const auto edges = band_edges_nm();
@@ -144,7 +144,7 @@ Channels with_spectrum(Channels channels, double width_nm, int wavelengths,
   return channels;
 }
 
-/// Colours unchanged, bands computed from the light after them, at least 0.
+/// Copies the colours, and computes bands from the light that follows them, none below 0.
 void write_bands(std::span<const Band> bands, std::span<const float> looked_up,
                  std::span<float> texel) {
   std::ranges::copy(looked_up.first(colours), texel.begin());
@@ -181,14 +181,14 @@ shadow::Lookup light_in(const LitMoon& moon, const Channels& channels, colour::W
   return light;
 }
 
-/// Source of a part's rows, kept as long as any may be asked for.
+/// What a part's rows are made from, kept as long as any row may be asked for.
 struct LitGround {
   std::shared_ptr<const algebra::Grid<float>> albedo;
   std::shared_ptr<const surface::Ground> ground;
   shadow::Lookup light;
 };
 
-/// Quantity of a part, and the divisor of its light.
+/// The quantity that a part holds, and what to divide its light by.
 struct Held {
   TexelQuantity quantity;
   std::vector<double> sunlit = {};
@@ -211,7 +211,8 @@ texture::Part part(const LitMoon& moon, const std::string& name, const Channels&
           channels.bands.empty() ? kept : with_bands(kept, looked_up, channels.bands)};
 }
 
-/// Colours of the ground under sunlight over those of white: of the mean Moon, or of the reddest and the bluest.
+/// Ratio of the ground's colours to those of white under sunlight: for the mean Moon, or for its reddest and bluest
+/// ground.
 std::vector<double> ground_colours(const LitMoon& moon, const algebra::Grid<double>& of_moon,
                                    const algebra::Grid<double>& of_white) {
   const auto seen = of_ground(moon.ground.get(), of_moon, band_centres_nm());
@@ -260,7 +261,7 @@ LitMoon lit_moon(const MoonRequest& request, const almanac::SkyState& sky,
   std::shared_ptr<const algebra::Grid<float>> albedo;
   std::shared_ptr<const surface::Ground> ground;
   std::shared_ptr<const Moonlight> light;
-  // the map and the light have nothing in common; an error of the one must not cancel the loops of the other,
+  // the map and the light are independent; an error in one must not cancel the loops of the other,
   // which would go on with half of their results
   tbb::task_group together;
   std::exception_ptr of_map, of_light;
@@ -320,7 +321,7 @@ BakedMoon baked(const LitMoon& moon, const TextureContent& content, const Baking
   std::ranges::copy(grounds, sunlit.values().begin());
   add("reflectance", colour, shadow::Lookup(sunlit), {reflectance});
   made.parts.push_back(albedo_part(moon));
-  for (auto& share : std::span(made.parts).last(2)) {  // of light: neither unit nor colour
+  for (auto& share : std::span(made.parts).last(2)) {  // ratios: neither unit nor colour
     share.left_out = {"whiteLuminance", "coppermoon:unit", "chromaticities"};
     share.own = {{"colorInteropID", std::string("data")}};
   }

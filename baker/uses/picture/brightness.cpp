@@ -29,7 +29,7 @@ bool in_totality(const almanac::Instant& when) {
          almanac::seconds_between(when, *eclipse->contacts.U3) >= 0;
 }
 
-/// Texture of a Moon in the channels of a meter.
+/// A Moon's texture in the channels of a meter.
 texture::Image texture_in(const Photometer& meter, const LitMoon& moon, std::size_t rows) {
   const auto weights = of_ground(moon.ground.get(), meter.weights, band_centres_nm());
   const auto light =
@@ -40,7 +40,7 @@ texture::Image texture_in(const Photometer& meter, const LitMoon& moon, std::siz
                        moon.request.photometry);
 }
 
-/// Moon whose albedo has as many rows as its textures get.
+/// A Moon whose albedo has as many rows as its textures will.
 LitMoon measurable(const MoonRequest& request, const almanac::SkyState& sky, Moonlight light,
                    std::size_t rows) {
   const auto albedo =
@@ -132,7 +132,7 @@ std::vector<almanac::Instant> moments_between(const almanac::Instant& from,
 LightCurve light_curve(const MoonRequest& moon, const std::vector<almanac::Instant>& moments,
                        const ViewRequest& view, const algebra::Progress& progress) {
   constexpr std::size_t rows = 180;
-  if (view.observer) air_over(*view.observer, view);  // refuses an air that is not sound
+  if (view.observer) air_over(*view.observer, view);  // refuses air that is out of range
   const auto skies = skies_between(moments.front(), moments.back());
   const auto over_all =
       measurable(moon, skies.front(),

@@ -15,12 +15,12 @@
 
 namespace coppermoon::uses {
 
-/// Brightness of the whole Moon at a place on the Earth, through its air.
+/// Brightness of the whole Moon as seen from a place on the Earth, through the air there.
 struct BrightnessSeen {
   almanac::Observer place;
-  povray_scenes::HorizonPlace moon;    ///< refraction included
+  povray_scenes::HorizonPlace moon;    ///< including refraction
   DiscBrightness disc;                 ///< through the air
-  std::vector<double> extinction_mag;  ///< [band]; 0 without reddening
+  std::vector<double> extinction_mag;  ///< [band]; 0 if reddening is off
   double sky_cd_m2 = 0;                ///< of the clear sky around the Moon
 };
 
@@ -46,8 +46,8 @@ void describe(Field&& is, const BrightnessSeen& seen) {
 struct MoonBrightness {
   almanac::Instant instant;
   DiscBrightness disc;           ///< above the air, from the Earth's centre
-  std::optional<double> danjon;  ///< of Danjon's scale, in totality alone
-  /// standard error of the V magnitude, in totality and the air of a month alone (totality_error_mag)
+  std::optional<double> danjon;  ///< on Danjon's scale, in totality only
+  /// standard error of the V magnitude, only in totality and in the air of a month (totality_error_mag)
   std::optional<double> V_error = {};
   std::optional<BrightnessSeen> seen = {};
 };
@@ -69,45 +69,45 @@ void describe(Field&& is, const MoonBrightness& brightness) {
 ///
 ///     σ² = (0.23 mag)² + (50 mag δτ)²       δτ: error of the stratosphere's optical depth
 ///
-/// 0.23 is what is left of five eclipses that instruments measured, weather included; 50 is how a total eclipse darkens
-/// with that optical depth: 40 to 58 in eclipses of umbral magnitudes 1.01 to 1.61.
+/// 0.23 mag is the residual of five eclipses measured with instruments, weather included. 50 mag is how much a total
+/// eclipse darkens per unit of that optical depth: 40 to 58 mag in eclipses of umbral magnitudes 1.01 to 1.61.
 ///
-/// Given     year  with its fraction
-/// Returned  nothing where the air is not that of its month, as it is known ("standard" or "calibrated" as they stand)
-/// Accuracy  6 of 9 measured and observed eclipses lie within it and the observers' own 0.3 mag; 68 of 100 would
+/// Given     year  including its fraction
+/// Returned  nothing unless the air is the one known for its month ("standard" or "calibrated", unaltered)
+/// Accuracy  6 of 9 measured and observed eclipses lie within it and the observers' own 0.3 mag; 68 % were expected
 std::optional<double> totality_error_mag(const Air& air, double year);
 
-/// Magnitudes of the whole Moon above the air, from the Earth's centre, [band].
+/// Magnitudes of the whole Moon above the air, as seen from the Earth's centre, [band].
 ///
-/// Accuracy  0.003 mag, of a disc of 180 rows
+/// Accuracy  0.003 mag, for a disc of 180 rows
 std::vector<double> magnitudes_above(const LitMoon& moon);
 
-/// Brightness by a simulation, summed over a texture of 360 rows.
+/// Simulates the Moon and sums its brightness over a texture of 360 rows.
 ///
-/// Given   view   for its observer and air
-/// Omits   the horizon, and flattening of the disc
+/// Given   view   only its observer and air are used
+/// Omits   the horizon, and the flattening of the disc
 /// Throws  Error  as light_on_the_moon, normal_albedo, view_of
 MoonBrightness brightness_of(const MoonRequest& moon, const almanac::SkyState& sky,
                              const ViewRequest& view = {}, const algebra::Progress& progress = {});
 
-/// Moments at even steps, the last of them not after `to`.
+/// Evenly spaced moments from `from` on, the last of them not after `to`.
 ///
 /// Given   step_min  0.01 to 1440 minutes
-/// Throws  Error     for another step; when `to` is before `from` or more than a day after it
+/// Throws  Error     for any other step; when `to` is before `from` or more than a day after it
 std::vector<almanac::Instant> moments_between(const almanac::Instant& from,
                                               const almanac::Instant& to, double step_min);
 
-/// Illuminance by the Moon on level ground at the place [lx].
+/// Illuminance from the Moon on level ground at the place [lx].
 double level_illuminance_lx(const BrightnessSeen& seen);
 
-/// Brightness of one moment of a light curve.
+/// Brightness at one moment of a light curve.
 struct CurveMoment {
   MoonBrightness brightness;
   bool of_place = true;              ///< the curve has an observer
-  std::optional<std::string> local;  ///< date and time on clocks that are asked for
+  std::optional<std::string> local;  ///< date and time in the time zone asked for
 };
 
-/// A number that is not known is NaN; a magnitude may be infinite.
+/// Unknown numbers are NaN; a magnitude may be infinite.
 template <class Field>
 void describe(Field&& is, const CurveMoment& moment) {
   namespace unit = algebra::unit;
@@ -135,31 +135,31 @@ void describe(Field&& is, const CurveMoment& moment) {
 /// Brightness of the whole Moon over time.
 struct LightCurve {
   std::vector<CurveMoment> moments;
-  std::vector<result::Column> columns;  ///< its numbers, as they are described
+  std::vector<result::Column> columns;  ///< its numbers, with their descriptions
 };
 
-/// Light curve of an eclipse, from one simulation, over textures of 180 rows.
+/// Light curve of an eclipse, from one simulation, measured on textures of 180 rows.
 ///
-/// Given     moments  in order of time, one or more, within a day; also before P1 and after P4
-///           view     for its observer and air; without an observer there are no columns of a place
-/// Accuracy  0.003 mag, and as much of the light, from brightness_of
-/// Throws    Error    when no eclipse is under way between them; as normal_albedo, air_over
+/// Given     moments  in order of time, one or more, within a day; they may be before P1 or after P4
+///           view     only its observer and air are used; without an observer there are no columns for a place
+/// Accuracy  agrees with brightness_of to 0.003 mag, and to the same fraction in the light
+/// Throws    Error    when no eclipse is under way between the moments; as normal_albedo, air_over
 LightCurve light_curve(const MoonRequest& moon, const std::vector<almanac::Instant>& moments,
                        const ViewRequest& view = {}, const algebra::Progress& progress = {});
 
-/// Whole Moon of one eclipse, measured at any of its moments: from the Earth's centre.
+/// Measures the whole Moon at any moment of one eclipse, as seen from the Earth's centre.
 class MoonSurvey {
  public:
-  /// Given  albedo  normal, of as many rows as its textures get
-  ///        light   on the Moon's way, for as long as the survey
-  ///        meter   its channels
+  /// Given  albedo  normal albedo, with as many rows as the textures are to have
+  ///        light   along the Moon's path; must outlive the survey
+  ///        meter   sets the channels
   MoonSurvey(const MoonRequest& moon, const algebra::Grid<float>& albedo, const Moonlight& light,
              Photometer meter = photometer());
 
   /// Texture in the meter's channels.
   texture::Image texture(const almanac::SkyState& sky) const;
 
-  /// Of a survey in the photometer's channels.
+  /// Only for a survey in the photometer's channels.
   DiscBrightness brightness(const almanac::SkyState& sky) const;
 
  private:

@@ -20,7 +20,7 @@ std::string degrees_text(double degrees, const char* positive, const char* negat
   return fmt::format("{:.2f}° {}", std::abs(degrees), degrees < 0 ? negative : positive);
 }
 
-/// Moment of a capDate, as "2018:07:27 20:21:45".
+/// The moment in a header's capDate, such as "2018:07:27 20:21:45".
 almanac::Instant moment_of(const texture::Attributes& header) {
   const auto date = header.find("capDate");
   const auto clock =

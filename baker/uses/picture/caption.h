@@ -10,25 +10,25 @@
 
 namespace coppermoon::uses {
 
-/// Name of the nearest city where it is less than 10 km away, else degrees: "34.05° N, 118.24° W".
+/// Name of the nearest city if it is less than 10 km away, otherwise degrees: "34.05° N, 118.24° W".
 std::string place_in_words(const almanac::Observer& observer);
 
-/// Contact nearest to a moment, and the time from it: "U2", "U2+12min", "U2-40s".
+/// The contact nearest to a moment, and the time since or until it: "U2", "U2+12min", "U2-40s".
 std::string from_nearest_contact(const eclipse::Eclipse& eclipse, const almanac::Instant& when);
 
-/// The same of a contact and the seconds from it on.
+/// The same text for a given contact and the number of seconds after it.
 std::string from_contact(const std::string& name, double seconds);
 
-/// Texts under the left and right end of a picture.
+/// Texts below a picture, at its left and right ends.
 struct Caption {
   std::string
-      left;  ///< local time, and the place: "2018-07-27 23:21:45 EAT, Nairobi"; in UTC without one
-  std::string right;  ///< of an eclipse: the time from its nearest contact
+      left;  ///< local time and place: "2018-07-27 23:21:45 EAT, Nairobi"; UTC if there is no place
+  std::string right;  ///< during an eclipse, the time from its nearest contact
 };
 
 /// Given  header  of a scene-linear frame: `capDate`, `latitude`, `longitude`
 ///
-/// Throws  Error  when it has no moment
+/// Throws  Error  when the header has no moment
 Caption caption_of(const texture::Attributes& header);
 
 }  // namespace coppermoon::uses

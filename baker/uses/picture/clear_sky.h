@@ -17,39 +17,39 @@ namespace coppermoon::uses {
 
 using Rgb = std::array<double, 3>;  ///< linear Rec.709
 
-/// Colour by two indices of astronomical photometry.
+/// Colour as two indices of astronomical photometry.
 struct ColourIndices {
   double b_minus_v, v_minus_r;
 };
 
-/// Light in bands of 10 nm from 380 to 780 nm: sunlight, times what makes up the difference of the indices.
+/// Light in bands of 10 nm from 380 to 780 nm: sunlight, scaled to have the given indices.
 ///
 ///     E(λ) = E_sun(λ) 10^(−0.4 Δm(λ))
 ///
-/// Δm runs straight through the differences in B (440 nm), V (550 nm) and R (641 nm), and on beyond them.
+/// Δm is linear between the differences in B (440 nm), V (550 nm) and R (641 nm), and extrapolated beyond them.
 std::vector<double> spectrum_of(const ColourIndices& colour);
 
-/// Colour of a spectrum in those bands, of luminance 1; black stays black.
+/// Colour of a spectrum in the bands of spectrum_of, with luminance 1; black stays black.
 Rgb colour_of(const std::vector<double>& spectrum);
 
-/// A colour with luminance 1; black stays black.
+/// The colour scaled to luminance 1; black stays black.
 Rgb normalised(Rgb light);
 
-/// Colour of a body's light that air scatters into a line of sight.
+/// Colour of a celestial body's light once the air has scattered it into a line of sight.
 ///
 ///     S(λ) = E(λ) g(λ) k_V/k(λ) 10^(−0.4 k(λ) X_m) (1 − 10^(−0.4 k(λ) X))
 ///
-/// with g = τ(λ)/τ(550 nm) of molecules, or of aerosol: the law of atmosphere::moonlit_sky_cd_m2 at each wavelength. X_m
-/// is the air mass of the body, X that of the line of sight.
+/// with g = τ(λ)/τ(550 nm) for molecules or for aerosol: the law of atmosphere::moonlit_sky_cd_m2 at each wavelength.
+/// X_m is the air mass towards the body, X that along the line of sight.
 ///
-/// Omits  light that is scattered twice
+/// Omits  light that is scattered more than once
 class ScatteredColour {
  public:
   /// Given  altitude  of the body
   ScatteredColour(const atmosphere::ObserverAir& air, const ColourIndices& body,
                   algebra::Angle altitude);
 
-  /// Light scattered by molecules and by aerosol, of scattering terms (atmosphere::scattering_terms) 1.
+  /// Light scattered by molecules and by aerosol, for scattering terms (atmosphere::scattering_terms) of 1.
   struct Pair {
     Rgb molecules, aerosol;
   };
@@ -59,7 +59,7 @@ class ScatteredColour {
   std::vector<double> extinction_mag_, of_molecules_, of_aerosol_;  ///< [band]
 };
 
-/// Terms of a sky's luminance [cd/m²].
+/// The terms that make up a sky's luminance [cd/m²].
 struct SkyTerms {
   double airglow, twilight, moonlight;
 
@@ -67,32 +67,32 @@ struct SkyTerms {
 };
 
 /// Clear sky over a place at one moment, in every direction: airglow, twilight, and moonlight that the air scatters
-/// (atmosphere/twilight_sky.h, sky_luminance.h). Of a day it is that of bright twilight, with the Sun at 5 degrees.
+/// (atmosphere/twilight_sky.h, sky_luminance.h). By day it is as in bright twilight, with the Sun at 5 degrees.
 class ClearSky {
  public:
-  /// Given   moon_magnitudes  of the Moon above the air: B, V, R; infinite ones of a dark Moon
+  /// Given   moon_magnitudes  of the Moon above the air: B, V, R; infinite for a dark Moon
   /// Throws  Error            when a term of the air is outside its range
   ClearSky(const almanac::Observer& place, const almanac::SkyState& sky,
            const atmosphere::ObserverAir& air, std::span<const double> moon_magnitudes);
-  /// The same of a Moon as white as a full one.
+  /// The same for a Moon with the colour of the full Moon.
   ClearSky(const almanac::Observer& place, const almanac::SkyState& sky,
            const atmosphere::ObserverAir& air, double moon_magnitude);
 
-  /// Light of the sky [cd/m²], linear Rec.709; its luminance is that of `towards`. Moonlight as the air scatters it
-  /// (ScatteredColour); airglow with B − V = 1.03 and V − R = 0.74.
+  /// Light of the sky [cd/m²], linear Rec.709; its luminance is that of `towards`. Moonlight has the colour that
+  /// scattering gives it (ScatteredColour); airglow has B − V = 1.03 and V − R = 0.74.
   ///
   /// Given   direction  as for `towards`
-  /// Source  colour of airglow: Patat (2003), A&A 400, 1183
+  /// Source  Patat (2003), A&A 400, 1183, for the colour of airglow
   Rgb light(const glm::dvec3& direction) const;
 
-  /// Given  direction  unit: east, north, up; as it is seen, refraction included
+  /// Given  direction  unit vector: east, north, up; apparent, with refraction included
   SkyTerms towards(const glm::dvec3& direction) const;
 
-  /// Angle from the Moon, as both are seen.
+  /// Apparent angle between a direction and the Moon.
   algebra::Angle from_moon(const glm::dvec3& direction) const;
 
   double zenith_cd_m2() const { return towards({0, 0, 1}).sum(); }
-  algebra::Angle sun_altitude() const { return sun_altitude_; }  ///< airless
+  algebra::Angle sun_altitude() const { return sun_altitude_; }  ///< without refraction
   algebra::Angle sun_azimuth() const { return algebra::radians(std::atan2(to_sun_.x, to_sun_.y)); }
   double extinction_mag() const { return extinction_mag_; }  ///< in V, at the zenith
 
@@ -106,10 +106,10 @@ class ClearSky {
   algebra::Angle sun_altitude_;
   atmosphere::TwilightSky twilight_;
   std::vector<ScatteredColour::Pair>
-      of_moon_;  ///< at even altitudes from 0 to 90 degrees; empty: it is dark
+      of_moon_;  ///< at evenly spaced altitudes from 0 to 90 degrees; empty if the Moon is dark
 };
 
-/// Direction in an observer's sky, unit: east, north, up.
+/// Direction in an observer's sky, as a unit vector: east, north, up.
 glm::dvec3 in_sky(algebra::Angle altitude, algebra::Angle azimuth);
 
 }  // namespace coppermoon::uses

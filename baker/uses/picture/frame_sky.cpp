@@ -16,13 +16,13 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Pixels between nodes: a quarter of a degree, 4 to 64.
+/// Number of pixels between nodes: a quarter of a degree, but 4 to 64 pixels.
 std::size_t step_of(const povray_scenes::SceneCamera& camera) {
   const double quarter = std::numbers::pi / 720 / pixel_rad_of(camera);
   return static_cast<std::size_t>(std::clamp(quarter, 4., 64.));
 }
 
-/// Direction above the horizon, or on it.
+/// Raises a direction below the horizon onto the horizon.
 glm::dvec3 not_below(const glm::dvec3& direction) {
   const glm::dvec3 level{direction.x, direction.y, 0};
   return direction.z < 0 && glm::length(level) > 0 ? glm::normalize(level) : direction;
@@ -67,9 +67,10 @@ FrameSky::Nodes FrameSky::nodes() const {
 
 void FrameSky::add_to(texture::Image& frame) const {
   if (black()) return;
-  const auto [step, light] = nodes();
-  const auto place = [step](std::size_t pixel) {
-    const double at = (static_cast<double>(pixel) + 0.5) / static_cast<double>(step);
+  const auto sky = nodes();
+  const auto& light = sky.light;
+  const auto place = [&](std::size_t pixel) {
+    const double at = (static_cast<double>(pixel) + 0.5) / static_cast<double>(sky.step);
     const auto first = static_cast<std::size_t>(at);
     return std::pair(first, static_cast<float>(at - static_cast<double>(first)));
   };

@@ -13,28 +13,29 @@
 
 namespace coppermoon::uses {
 
-/// Light of the sky in a frame: of air between the camera and space, so before the Moon as much as beside it.
+/// Light of the sky in a frame. It comes from air in front of the camera, so it covers the Moon as much as its
+/// surroundings.
 ///
-/// Over a place it is ClearSky's, evaluated at nodes and linear between them; of a luminance that is asked for it is even,
-/// white as D65. From space it is black unless one is asked for. Below the horizon it is that of the horizon.
+/// Over a place it is ClearSky's, evaluated at nodes and linear between them. If a luminance is asked for, the sky is
+/// even, white as D65; otherwise, from space, it is black. Below the horizon the sky continues as on the horizon.
 ///
-/// Accuracy  of interpolation 1e-3 from 5 degrees up, 1 % above the horizon
+/// Accuracy  of interpolation 1e-3 from 5 degrees up, 1 % just above the horizon
 /// Omits     the response that the Moon and the stars are seen through, if any
 class FrameSky {
  public:
-  /// Given   moon  lights the air; of any size of its albedo
+  /// Given   moon  lights the air; its albedo may have any size
   /// Throws  Error  as ClearSky
   FrameSky(const View& view, const LitMoon& moon);
 
   bool black() const { return at_moon_cd_m2_ == 0; }
-  /// Luminance towards the Moon's middle; 0: black
+  /// Luminance towards the Moon's middle; 0 for a black sky.
   double at_moon_cd_m2() const { return at_moon_cd_m2_; }
 
-  /// Adds it to the channels R, G, B of a frame of the view's camera [cd/m²].
+  /// Adds the sky's light to the channels R, G, B of a frame from the view's camera [cd/m²].
   void add_to(texture::Image& frame) const;
 
-  /// Light at every `step` pixels from the frame's upper left corner on, beyond its other sides: R, G, B, linear
-  /// Rec.709 [cd/m²]
+  /// Light at every `step` pixels from the frame's upper left corner to beyond its right and lower sides: R, G, B,
+  /// linear Rec.709 [cd/m²]
   struct Nodes {
     std::size_t step;
     texture::Image light;
@@ -43,7 +44,7 @@ class FrameSky {
 
  private:
   povray_scenes::SceneCamera camera_;
-  glm::dmat3 axes_{1};  ///< of axes_as_seen
+  glm::dmat3 axes_{1};  ///< from axes_as_seen
   std::optional<ClearSky> clear_;
   double at_moon_cd_m2_ = 0;
 };

@@ -80,7 +80,7 @@ void require_scene_folder(const std::filesystem::path& folder, const ViewRequest
   povray_scenes::require_scene_place(folder);
   if (!view.observer) return;
   for (const char* file : {moon_file, stars_file}) files::require_stamped(folder / file);
-  const auto copied = folder / macros_file;  // by hand perhaps, as it is installed
+  const auto copied = folder / macros_file;  // perhaps copied by hand from the installed file
   files::require_no_link(copied);
   if (std::filesystem::exists(copied) && files::bytes_of(copied) != povray_scenes::coppermoon_inc())
     files::require_stamped(copied);

@@ -17,7 +17,7 @@ namespace coppermoon::uses {
 
 namespace {
 
-constexpr double city_clocks_km = 300;  ///< clocks of a city hold so far
+constexpr double city_clocks_km = 300;  ///< a city's time zone applies up to this distance
 
 /// UTC to the second, without leap seconds.
 absl::CivilSecond civil_time(const almanac::Instant& when) {
@@ -39,7 +39,7 @@ std::string clock_text(const absl::CivilSecond& time) {
   return fmt::format("{:02}:{:02}:{:02}", time.hour(), time.minute(), time.second());
 }
 
-/// Whether a text has only the characters of IANA's names; with others it could name a file.
+/// Whether a text has only characters of IANA's zone names; with others it could name a file.
 bool is_plain(const std::string& name) {
   return std::ranges::all_of(name, [](unsigned char c) {
     return std::isalnum(c) || c == '_' || c == '-' || c == '+' || c == '/';
@@ -66,7 +66,7 @@ double kilometres_between(const almanac::Observer& observer, const almanac::City
   return algebra::in_kilometres(almanac::distance_between(observer, city.place));
 }
 
-/// Hours that clocks by the longitude are before UTC.
+/// Hours by which clocks set by the longitude are ahead of UTC.
 int hours_by_longitude(const almanac::Observer& observer) {
   const double east_deg = std::remainder(algebra::in_degrees(observer.longitude), 360);
   return static_cast<int>(std::lround(east_deg / 15));
@@ -95,7 +95,7 @@ almanac::Instant instant_of_local(const std::string& local, const std::string& z
 std::string time_zone_of(const almanac::Observer& observer) {
   const auto city = almanac::nearest_city(observer);
   if (kilometres_between(observer, city) <= city_clocks_km) return city.time_zone;
-  return fmt::format("Etc/GMT{:+}", -hours_by_longitude(observer));  // the sign of POSIX
+  return fmt::format("Etc/GMT{:+}", -hours_by_longitude(observer));  // with the sign as in POSIX
 }
 
 std::string zone_or_utc(const almanac::Observer& observer) {

@@ -19,7 +19,7 @@ using almanac::Instant;
 
 constexpr auto usual = eclipse::ShadowConvention::danjon;
 
-/// Zone of the context's clocks; empty: it has neither a zone nor a place.
+/// Time zone of a context; empty if it has neither a zone nor a place.
 std::string zone_of(const MomentContext& context) {
   if (!context.zone.empty() && context.zone != "local") return context.zone;
   if (context.observer) return time_zone_of(*context.observer);
@@ -33,7 +33,7 @@ Instant instant_in(const std::string& text, const MomentContext& context) {
   return instant_of_local(text, zone_of(context), context.calendar);
 }
 
-/// Last moonrise before P4 and first moonset after P1, as far as there are any within a lunar day; moved by up to a
+/// Last moonrise before P4 and first moonset after P1, if there are any within a lunar day; moved by up to a
 /// second, so that the Moon is up at the full second.
 std::vector<std::pair<std::string, Instant>> rise_and_set(const eclipse::Eclipse& eclipse,
                                                           const almanac::Observer& place) {
@@ -59,7 +59,7 @@ Instant to_the_second(const Instant& when) {
 }  // namespace
 
 Instant moment_in(const std::string& text, const MomentContext& context) {
-  if (!context.zone.empty()) local_time({2451545, 0}, zone_of(context));  // refuses what is no zone
+  if (!context.zone.empty()) local_time({2451545, 0}, zone_of(context));  // refuses an unknown zone
   if (eclipse::is_day(text)) return to_the_second(eclipse_on(text, context).greatest);
   if (!eclipse::is_from_contact(text)) return instant_in(text, context);
   const auto space = text.find(' ');

@@ -31,13 +31,13 @@ void require_sound(const MoonRequest& moon) {
   if (moon.response) colour::require_spectral(*moon.response);
 }
 
-/// A map with longitude 180 in its middle, turned to have longitude 0 there.
+/// Turns a map with longitude 180 in its middle to have longitude 0 there.
 void turn_round(algebra::Grid<float>& map) {
   for (std::size_t r = 0; r < map.rows(); ++r)
     std::rotate(map.row(r).begin(), map.row(r).begin() + map.columns() / 2, map.row(r).end());
 }
 
-/// The mean of a map's near side over that of its far side.
+/// Ratio of the mean of a map's near side to that of its far side.
 double near_over_far(const algebra::Grid<float>& map) {
   double near = 0, far = 0;
   const std::size_t columns = map.columns();
@@ -78,14 +78,14 @@ Map of_kit_2025(Map map) {
   return map;
 }
 
-/// How the file's numbers are read, and what then makes normal albedo of them.
+/// How a file's numbers are read, and how they are then converted to normal albedo.
 struct Decoding {
   AlbedoEncodingWord word;
   texture::Coding coding;
   Map (*decoded)(Map);
 };
 
-// what one adds for an encoding: a row here, and a row of docs/textures.md
+// to add an encoding, add a row here and a row in docs/textures.md
 const std::vector<Decoding> decodings{
     {{"image", AlbedoEncoding::image, "light, as the file says"},
      texture::Coding::as_file_says,
@@ -106,7 +106,7 @@ Map decoded_map(const std::filesystem::path& file, AlbedoEncoding encoding) {
   return how.decoded(texture::read_albedo_map(file, how.coding));
 }
 
-/// The built-in map, no finer than the texture, whose texels are means over its own.
+/// The built-in map, no finer than the texture, whose texels are averages over the map's.
 algebra::Grid<float> built_in_map_for(const MoonRequest& moon) {
   auto map = surface::built_in_map();
   const std::size_t rows = texture_width_of(moon) / 2;

@@ -28,19 +28,19 @@ namespace {
 
 using Names = std::initializer_list<std::string_view>;
 
-/// Values of a photograph's header by name.
+/// Values in a photograph's header for the given names.
 std::vector<std::optional<std::string>> all_in_header(const std::string& photo, Names names) {
   return texture::read_attributes(photo, std::span(names.begin(), names.size()));
 }
 
-/// Text of the first of several names that a photograph's header has.
+/// The text in a photograph's header under the first of several names that it has.
 std::optional<std::string> text_in_header(const std::string& photo, Names names) {
   for (auto& text : all_in_header(photo, names))
     if (text && !text->empty()) return std::move(text);
   return std::nullopt;
 }
 
-/// Number of the first of several names that a photograph's header has; of a list the first.
+/// The number in a photograph's header under the first of several names that it has; the first number of a list.
 std::optional<double> number_in_header(const std::string& photo, Names names) {
   for (const auto& text : all_in_header(photo, names)) {
     const auto all = text.value_or("");
@@ -50,7 +50,7 @@ std::optional<double> number_in_header(const std::string& photo, Names names) {
   return std::nullopt;
 }
 
-/// A clock by a header's texts; its error names the photograph.
+/// Reads a clock from a header's texts; errors name the photograph.
 std::optional<HeaderClock> clock_named(const std::string& photo, const std::string& date,
                                        const std::string& offset = {}) try {
   return clock_in(date, offset);
@@ -58,12 +58,12 @@ std::optional<HeaderClock> clock_named(const std::string& photo, const std::stri
   throw algebra::Error(fmt::format("{}: {}", photo, error.what()));
 }
 
-/// Whether a text is blank as EXIF writes what is unknown: its separators alone.
+/// Whether a text holds only blanks and separators, which is how EXIF writes an unknown date or offset.
 bool is_unknown(std::string_view text) {
   return text.find_first_not_of(std::string_view(" :\0", 3)) == text.npos;
 }
 
-/// An offset from UTC as "+03:00"; nothing when it is none.
+/// An offset from UTC in the form "+03:00"; nothing if the text is not one.
 std::optional<std::string> offset_in(const std::string& text) {
   static const std::regex known(
       R"(\s*(?:(Z|UTC|GMT)|([+-])(\d|0\d|1[0-5])(?::?([0-5]\d))?)[\s\0]*)", std::regex::icase);
@@ -80,12 +80,12 @@ double seconds_at(const HeaderClock& clock) {
   return (when.tt_day + when.tt_fraction) * 86400;
 }
 
-/// Time scale of a FITS file's date; nothing of another file.
+/// Time scale of a FITS file's date; nothing for other files.
 std::optional<std::string> time_scale_of(const std::string& photo) {
   return texture::read_attribute(photo, "TIMESYS");
 }
 
-/// Reading of a clock that shows a time scale of FITS, in UTC; of LOCAL as it is.
+/// Converts the reading of a clock on one of FITS's time scales to UTC; LOCAL stays as it is.
 HeaderClock in_utc(const HeaderClock& clock, std::string scale) {
   static const std::map<std::string, double, std::less<>> behind_tt_s{
       {"TT", 0},       {"TDT", 0},      {"ET", 0},      {"TDB", 0},
@@ -103,13 +103,13 @@ HeaderClock in_utc(const HeaderClock& clock, std::string scale) {
   return {utc, "+00:00"};
 }
 
-/// Whether a photograph's numbers are coded as sRGB, and a camera took it.
+/// Whether a camera took a photograph and its numbers are coded as sRGB.
 bool is_coded_by_a_camera(const std::string& photo) {
   return uses::camera_of(photo) && !texture::is_raw_file(photo) &&
          texture::read_attribute(photo, "oiio:ColorSpace").value_or("") == "sRGB";
 }
 
-/// ISO speed. EXIF's first tag holds 16 bits: for faster speeds it is 65535, and another tag has the speed.
+/// ISO speed. EXIF's first tag has 16 bits: for faster speeds it holds 65535, and another tag gives the speed.
 std::optional<double> iso_of(const std::string& photo) {
   constexpr double most = 65535;
   const auto iso =
@@ -119,14 +119,14 @@ std::optional<double> iso_of(const std::string& photo) {
   return faster ? faster : iso;
 }
 
-/// An APEX value of the header.
+/// An APEX value from the header.
 std::optional<double> apex_of(const std::string& photo, std::string_view name) {
   const auto stops = algebra::number_in(texture::read_attribute(photo, name).value_or(""));
   return stops && std::isfinite(*stops) ? stops : std::nullopt;
 }
 
-/// Exposure time by the header's APEX value, where it agrees with the time shown; else by that time. Canon writes a
-/// third of a stop as 3/8, two as 5/8.
+/// Exposure time from the header's APEX value if it agrees with the time shown, otherwise from the time shown. Canon
+/// writes a third of a stop as 3/8, and two thirds as 5/8.
 ///
 /// Source  ExifTool, lib/Image/ExifTool/Canon.pm: CanonEv
 double real_time_s(const std::string& photo, double shown_s) {
@@ -323,7 +323,7 @@ colour::Bracketed bracketed(const std::string& file) {
   require_sound(file, image);
   colour::Bracketed one{pixels_of(image), channel_of(image, 3), 0};
   const double f_number = number_of(file, "aperture"), time_s = number_of(file, "expTime");
-  colour::exposure_scale({time_s, f_number});  // throws where either is outside its range
+  colour::exposure_scale({time_s, f_number});  // throws if either is outside its range
   one.light = time_s / (f_number * f_number);
   return one;
 }

@@ -14,7 +14,7 @@ namespace coppermoon::uses {
 struct ShownPicture {
   texture::Layout layout;
   texture::Rows rows;
-  int bits = 8;  ///< of a number, where the format leaves the choice
+  int bits = 8;  ///< per number, if the format leaves the choice
   texture::Attributes attributes = {};
 };
 
@@ -24,18 +24,18 @@ struct PictureFile : files::Ending {
   void (*write)(const std::filesystem::path& file, const ShownPicture& picture);
 };
 
-/// All of them.
+/// All formats for developed pictures.
 std::span<const PictureFile> picture_files();
 
-/// Writes a picture of high dynamic range, .avif: 12 bits, Rec.2020 primaries, PQ (SMPTE ST 2084), as
-/// ITU-T H.273 numbers them 9/16/9. Whole or not at all.
+/// Writes a picture of high dynamic range, .avif: 12 bits, Rec.2020 primaries and PQ (SMPTE ST 2084), which
+/// ITU-T H.273 numbers 9/16/9. The file appears whole or not at all.
 ///
-/// Given     picture     channels R, G, B, coded so, 0 to 1
-/// Accuracy  the encoder's: light within 2 % in 95 of 100 pixels
+/// Given     picture     channels R, G, B, coded in this way, 0 to 1
+/// Accuracy  the encoder's: light within 2 % in 95 % of pixels
 /// Throws    Error       when avifenc is not there or fails, or the file cannot be written
 void write_avif(const std::filesystem::path& file, const texture::Image& picture);
 
-/// PQ decoding and coding: codes 0 to 1, light over 10 000 cd/m².
+/// PQ decoding and encoding: codes 0 to 1, light in units of 10 000 cd/m².
 ///
 /// Source  SMPTE ST 2084:2014
 double light_of_pq(double code);

@@ -22,7 +22,7 @@ constexpr const char *view_heading = "Who looks, and through what",
 
 constexpr const char* whole_moon = "moon";
 
-/// Nothing for the whole Moon, or what a lens shows.
+/// Reads a field of view; nothing for the whole Moon, or for what a lens shows.
 std::optional<double> field_from(const std::string& text) {
   if (text == whole_moon) return std::nullopt;
   const auto degrees = algebra::number_in(text);
@@ -33,7 +33,7 @@ std::optional<double> field_from(const std::string& text) {
   return degrees;
 }
 
-/// "on", "off", or the V magnitude of the faintest.
+/// Reads "on", "off", or the V magnitude of the faintest star.
 StarRequest stars_from(const std::string& text) {
   if (text == "on" || text == "off") return {.shown = text == "on"};
   const auto faintest = algebra::number_in(text);
@@ -48,7 +48,7 @@ std::string text_of(const StarRequest& stars) {
   return stars.faintest ? fmt::format("{}", *stars.faintest) : "on";
 }
 
-/// Luminance of the sky that a text names; nothing for "auto".
+/// Reads the luminance of the sky; nothing for "auto".
 std::optional<double> sky_luminance_from(const std::string& text) {
   if (text == "auto") return std::nullopt;
   if (text == "off") return 0;
@@ -65,7 +65,7 @@ std::string sky_text(const std::optional<double>& luminance_cd_m2) {
       "{}", -2.5 * std::log10(*luminance_cd_m2 / atmosphere::luminance_of_magnitude_cd_m2(0)));
 }
 
-/// Share of the light that glows about bright ground; nothing for "auto".
+/// Reads the share of the light that glows around bright ground; nothing for "auto".
 std::optional<double> glow_from(const std::string& text) {
   if (text == "auto") return std::nullopt;
   const auto share = algebra::number_in(text);
@@ -279,7 +279,7 @@ void describe(Parameters& is, CameraRequest& camera) {
   describe_optics(is, camera);
   describe_sensor(is, camera);
   describe_response(is, camera.response);
-  // all else is refused without a camera (camera_of)
+  // without a camera, camera_of refuses every other setting
   is.find("glow")->only_with({{"camera"}}, {"auto"});
   is.find("noise-seed")->only_with({{"camera"}});
   is.find("response")->only_with({{"camera"}}, {"colorimetric"});

@@ -11,7 +11,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Three channels in a row, as they are in an image's values.
+/// Puts three channels per pixel in a row, as in an image's values.
 template <class Pixels>
 texture::Image three_channels(const Pixels& pixels, float unit) {
   texture::Image image(pixels.columns(), pixels.rows(), {"R", "G", "B"});

@@ -9,36 +9,36 @@
 
 namespace coppermoon::uses {
 
-/// The nearest half float, of a number that is not below 0; itself beyond the last one.
+/// Rounds a number that is not negative to the nearest half float; beyond the largest one it stays as it is.
 float as_half(double value);
 
 /// Throws  Error  when an image has fewer than three channels
 void require_colours(const texture::Image& image);
 
-/// The first three channels.
+/// The first three channels of an image.
 ///
-/// Throws  Error  when there are fewer
+/// Throws  Error  when it has fewer
 colour::Image pixels_of(const texture::Image& image);
 
-/// A scene-linear image's colours in another working space, luminance kept: channels R, G, B, or X, Y, Z.
+/// Converts a scene-linear image to another working space, keeping its luminance: channels R, G, B, or X, Y, Z.
 ///
 /// Throws  Error  when it has fewer than three channels
 texture::Image in_space(const texture::Image& image, colour::WorkingSpace from,
                         colour::WorkingSpace to);
 
-/// One channel alone.
+/// A single channel of an image.
 algebra::Grid<float> channel_of(const texture::Image& image, std::size_t channel);
 
-/// Image with all its rows in memory, made some at a time.
+/// Image with all its rows in memory, made a few at a time.
 texture::Image image_of(const texture::Layout& layout, const texture::Rows& rows);
 
 /// Channels R, G, B.
 texture::Image image_of(const colour::Image& pixels);
 
-/// Channels R, G, B of numbers of 16 bits: 65535 as 1.
+/// Channels R, G, B from 16-bit numbers, with 65535 as 1.
 texture::Image image_of(const algebra::Grid<colour::RawPixel>& raw);
 
-/// Channels R, G, B, and `valid`: 1 where none is clipped.
+/// Channels R, G, B, and `valid`, which is 1 if none of the three is clipped.
 texture::Image image_of(const colour::Image& pixels, const algebra::Grid<float>& valid);
 
 }  // namespace coppermoon::uses

@@ -20,7 +20,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Takes a number and one of some marks behind it off the front of a text.
+/// Takes a number and one of the given marks after it off the front of a text.
 std::optional<double> take_marked(std::string_view& text,
                                   std::initializer_list<std::string_view> marks) {
   for (const auto mark : marks) {
@@ -33,9 +33,9 @@ std::optional<double> take_marked(std::string_view& text,
   return std::nullopt;
 }
 
-/// Degrees of "42.86", "-73.77", "73.77W" or "157°52′12″W"; none for any other text.
+/// Reads degrees such as "42.86", "-73.77", "73.77W" or "157°52′12″W"; nothing for any other text.
 ///
-/// Given  senses  letters of the positive and of the negative sense, as "EW"
+/// Given  senses  letters for the positive and the negative sense, such as "EW"
 std::optional<double> degrees_in(std::string_view text, std::string_view senses) {
   text = algebra::without_spaces(text);
   const bool sensed = !text.empty() && senses.find(text.back()) != std::string_view::npos;
@@ -58,8 +58,8 @@ std::optional<double> degrees_in(std::string_view text, std::string_view senses)
   return (negative ? -1 : 1) * (*degrees + *minutes / 60 + *seconds / 3600);
 }
 
-/// "42.86,-73.77,120", "42.86N, 73.77W" or "21°18′N 157°52′W": numbers north and east, and what else there is; none
-/// for any other text.
+/// Reads "42.86,-73.77,120", "42.86N, 73.77W" or "21°18′N 157°52′W": degrees north and east, and any further numbers;
+/// empty for any other text.
 std::vector<double> place_numbers(const std::string& text) {
   auto separated = text;
   if (const auto north_ends = text.find_first_of("NS");
@@ -78,8 +78,8 @@ std::vector<double> place_numbers(const std::string& text) {
   return numbers;
 }
 
-/// Name spelt most alike, whatever case and accents. A first letter is seldom mistaken: it counts as three.
-/// No name is longer than 64 letters.
+/// The name with the most similar spelling, ignoring case and accents. The first letter is seldom wrong, so it counts
+/// as three. No name is longer than 64 letters.
 std::string name_like(std::string_view text, const std::vector<std::string>& names) {
   const auto wanted = almanac::plain_name(text.substr(0, 64));
   std::string nearest;
@@ -88,7 +88,7 @@ std::string name_like(std::string_view text, const std::vector<std::string>& nam
     const auto plain = almanac::plain_name(name);
     const std::size_t first = plain.substr(0, 1) == wanted.substr(0, 1) ? 0 : 2;
     const auto [shorter, longer] = std::minmax({plain.size(), wanted.size()});
-    if (longer - shorter + first >= least) continue;  // so many letters apart at least
+    if (longer - shorter + first >= least) continue;  // at least this many letters apart
     if (const auto apart = request::letters_apart(wanted, plain) + first; apart < least)
       least = apart, nearest = name;
   }

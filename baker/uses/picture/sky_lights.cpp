@@ -25,7 +25,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Cone of directions about a middle one.
+/// A cone of directions around a middle one.
 struct Cone {
   glm::dvec3 middle;  ///< unit, GCRS axes
   double cosine;
@@ -33,16 +33,16 @@ struct Cone {
   bool holds(const glm::dvec3& direction) const { return glm::dot(direction, middle) >= cosine; }
 };
 
-/// A light before the air and the Moon: GCRS axes, from where the observer is.
+/// A star or planet as seen without the air and the Moon: GCRS axes, from the observer's place.
 struct Source {
   glm::dvec3 direction;
   double magnitude, b_minus_v;
   double radius_rad = 0;
 };
 
-/// Stars and planets in a part of the sky, down to a magnitude.
+/// Stars and planets in part of the sky, down to a magnitude.
 ///
-/// Given  from_m  the observer, geocentric
+/// Given  from_m  the observer's place, geocentric
 std::vector<Source> sources_in(const Cone& cone, double faintest, const almanac::SkyState& sky,
                                const glm::dvec3& from_m) {
   std::vector<almanac::Star> stars;
@@ -62,7 +62,7 @@ std::vector<Source> sources_in(const Cone& cone, double faintest, const almanac:
   return sources;
 }
 
-/// Planet as equal points spread over its disc; a star as one point.
+/// Splits a planet into equal points spread over its disc; a star is one point.
 std::vector<Source> in_points(const Source& source) {
   constexpr int points = 64;
   constexpr double golden_angle = std::numbers::pi * (3 - 2.23606797749979);
@@ -111,7 +111,7 @@ class Dome {
     return algebra::in_radians(atmosphere::apparent_altitude(stands) - stands);
   }
 
-  /// Raises a direction towards the zenith, as far as refraction does; or down, by another's refraction.
+  /// Raises a direction towards the zenith by its refraction; lowered_as lowers it by that of another direction.
   glm::dvec3 raised(const glm::dvec3& direction) const {
     return turned(direction, direction, lift_rad(direction));
   }
@@ -128,7 +128,7 @@ class Dome {
   }
 
  private:
-  /// Along the vertical circle of another direction.
+  /// Turns a direction along the vertical circle of another one.
   glm::dvec3 turned(const glm::dvec3& direction, const glm::dvec3& other, double angle) const {
     const glm::dvec3 level = glm::cross(other, seen_.zenith);
     const double across = glm::length(level);
@@ -137,11 +137,11 @@ class Dome {
   }
 
   almanac::ObserverView seen_;
-  algebra::Angle lowest_;  ///< of what is seen
+  algebra::Angle lowest_;  ///< of lights that can be seen
   StarLights lights_;
 };
 
-/// Cone about a frame's field, a degree wider: refraction may raise a light by as much.
+/// Cone around a frame's field, a degree wider, since refraction may raise a light by as much.
 Cone cone_of(const povray_scenes::SceneCamera& camera, const almanac::SkyState& sky) {
   constexpr double margin = std::numbers::pi / 180;
   const double half_width = std::tan(algebra::in_radians(camera.horizontal_field) / 2),
@@ -151,7 +151,7 @@ Cone cone_of(const povray_scenes::SceneCamera& camera, const almanac::SkyState& 
   return {glm::transpose(sky.selenographic_from_gcrs) * line_of_sight(camera), std::cos(reach)};
 }
 
-/// Observer of the stars, planets and sky of a view.
+/// Observes the stars, planets and sky of a view.
 class Eye {
  public:
   Eye(const View& view, const almanac::SkyState& sky)
@@ -186,20 +186,20 @@ class Eye {
  private:
   const View& view_;
   const almanac::SkyState& sky_;
-  StarLights above_;  ///< seen from space
+  StarLights above_;  ///< as seen from space
   std::optional<Dome> dome_;
   glm::dvec3 from_m_{0, 0, 0}, moon_;
   double limb_;  ///< sine of the Moon's radius
 };
 
-/// Shares of a Gaussian in the pixels along a line.
+/// How a Gaussian is shared among the pixels along a line.
 struct Spread {
   std::ptrdiff_t first = 0;
   std::vector<double> shares;
 };
 
 Spread spread_about(double place) {
-  constexpr double deviation_px = 0.6, reach_px = 4;  // beyond are 3e-11 of it
+  constexpr double deviation_px = 0.6, reach_px = 4;  // 3e-11 of the light falls beyond
   const auto below = [&](double edge) {
     return 0.5 * std::erfc(-(edge - place) / (deviation_px * std::numbers::sqrt2));
   };
@@ -211,7 +211,7 @@ Spread spread_about(double place) {
   return spread;
 }
 
-/// Bands of 5 nm, the V band's response in them, and what it makes of the Sun.
+/// Bands of 5 nm, the response of the V band in them, and the Sun's light through it.
 struct StarBands : BroadBands {
   std::vector<double> v{};
   double solar_magnitude = photometric_bands()[V_band].solar_magnitude, sun_in_v = 0;
@@ -228,7 +228,7 @@ const StarBands& bands_of_light() {
   return all;
 }
 
-/// Planck's law, of any scale.
+/// Planck's law, on an arbitrary scale.
 double black_body(double wavelength_nm, double temperature_k) {
   constexpr double second_radiation_nm_k = 1.438776877e7;  // CODATA 2018, hc/k
   return std::pow(wavelength_nm, -5) /

@@ -20,64 +20,65 @@ namespace coppermoon::uses {
 
 using povray_scenes::SkyLight;
 
-/// Stars and planets before a view's camera, but for those that the Moon or the ground hides.
+/// Stars and planets in front of a view's camera, except those that the Moon or the ground hides.
 ///
-/// Each is refracted by its own altitude, relative to the Moon. A planet is a disc of points, of which the Moon may
-/// hide some.
+/// Each is refracted according to its own altitude, relative to the Moon. A planet is a disc of points, of which the
+/// Moon may hide some.
 ///
-/// Returned  none where the view wants none
-/// Accuracy  places 0.1″ of stars, 0.1″ of planets; times of occultations some seconds, by the Moon's mountains
-/// Omits     stars fainter than V = 9; how stars vary; the shape of a planet's light and Saturn's rings
+/// Returned  none if the view wants none
+/// Accuracy  places 0.1″ for stars, 0.1″ for planets; times of occultations some seconds, owing to the Moon's mountains
+/// Omits     stars fainter than V = 9; the variability of stars; phases of planets and Saturn's rings
 /// Throws    Error  when a catalogue is damaged
 std::vector<SkyLight> sky_lights(const View& view, const almanac::SkyState& sky);
 
-/// Lights for a scene: each planet as one disc, also those behind the Moon, since the scene hides them.
+/// Stars and planets for a scene: each planet is one disc. Those behind the Moon are included, since the scene hides
+/// them itself.
 std::vector<SkyLight> scene_lights(const View& view, const almanac::SkyState& sky);
 
 /// Adds lights to a frame, each as a Gaussian with a standard deviation of 0.6 pixel.
 ///
 /// Given     frame   scene-linear, linear Rec.709 [cd/m²], of the camera's size
-/// Returned  numbers that half floats hold, as those of a frame are, where they are below 65504
-/// Accuracy  the sum of luminance times solid angle is the illuminance to 5e-4, but for what falls beside the frame
+/// Returned  numbers rounded to half floats, like those of a frame, if they are below 65504
+/// Accuracy  luminance summed over solid angle gives the illuminance to 5e-4, apart from what falls outside the frame
 void add_lights(texture::Image& frame, const povray_scenes::SceneCamera& camera,
                 std::span<const SkyLight> lights);
 
-/// All stars and planets above a view's horizon, the brightest first, the Moon or no Moon before them: to
-/// V = 6.5 unless the view says how faint.
+/// All stars and planets above a view's horizon, brightest first, whether or not the Moon hides them: down to
+/// V = 6.5 unless the view sets another limit.
 ///
 /// Given  view  with an observer
 /// Throws Error when a catalogue is damaged
 std::vector<povray_scenes::StarInSky> lights_over(const View& view, const almanac::SkyState& sky);
 
-/// Temperature of a black body of a star's colour [K].
+/// Temperature of a black body with a star's colour [K].
 ///
 ///     4600 (1 / (0.92 (B − V) + 1.7) + 1 / (0.92 (B − V) + 0.62))
 ///
-/// Given   b_minus_v  −0.5 to 4, held at either end
+/// Given   b_minus_v  clamped to −0.5 to 4
 /// Source  Ballesteros (2012), EPL 97, 34008, equation 14
 double star_temperature_k(double b_minus_v);
 
-/// Light of stars above an observer's air, or through it.
+/// Computes the light of stars, above an observer's air or through it.
 class StarLights {
  public:
-  /// Given  air       none: above the air
+  /// Given  air       if absent, above the air
   ///        response  as in colour::channel_weights
   explicit StarLights(const std::optional<atmosphere::ObserverAir>& air = {},
                       const std::string& response = {});
 
   /// Light of a star on a surface that faces it: linear Rec.709 [lux].
   ///
-  /// It has the spectrum of a black body, and as much of it as the V magnitude says, by the Sun's (see
-  /// photometric_bands): a white star of V = 0 gives 2.6e-6 lux.
+  /// The spectrum is a black body's, scaled to the V magnitude relative to the Sun's (see photometric_bands): a white
+  /// star of V = 0 gives 2.6e-6 lux.
   ///
-  /// Given     altitude  without refraction; as transmittance_above has it
-  /// Accuracy  0.02 magnitude of luminance; colours as far as stars are black bodies
+  /// Given     altitude  without refraction, as for transmittance_above
+  /// Accuracy  0.02 magnitude in luminance; colours as far as stars are black bodies
   std::array<double, 3> lux(double magnitude, double b_minus_v,
                             algebra::Angle altitude = algebra::degrees(90)) const;
 
  private:
   algebra::Grid<double> channels_;                  ///< weights, [channel][band]
-  std::vector<atmosphere::VerticalDepths> depths_;  ///< [band]; empty: above the air
+  std::vector<atmosphere::VerticalDepths> depths_;  ///< [band]; if empty, above the air
 };
 
 }  // namespace coppermoon::uses

@@ -25,7 +25,7 @@ using texture::ExrType, texture::Image;
 
 constexpr std::size_t colours = 3;
 
-/// How a frame's numbers are stored.
+/// The type in which a frame's numbers are stored.
 ExrType type_of(const Image& frame) {
   constexpr float most_of_half = 65504;
   const bool beyond = std::ranges::any_of(frame.values, [](float v) { return v > most_of_half; });
@@ -43,7 +43,7 @@ Image with_alpha(const Image& colour, const Image& moon) {
   return image;
 }
 
-/// Clears alpha beside the window that was rendered: POV-Ray writes 1 there.
+/// Clears alpha outside the window that was rendered, where POV-Ray writes 1.
 void clear_beside(Image& moon, const std::optional<povray_scenes::RenderWindow>& window) {
   for (std::size_t r = 0; window && r < moon.height; ++r)
     for (std::size_t c = 0; c < moon.width; ++c)
@@ -51,7 +51,7 @@ void clear_beside(Image& moon, const std::optional<povray_scenes::RenderWindow>&
         moon(r, c, colours) = 0;
 }
 
-/// Difference of the stored numbers.
+/// The stars: the difference between the frame and the Moon, as both are stored.
 Image stars_of(const LinearFrame& frame, ExrType type) {
   auto stars = frame.light;
   for (std::size_t i = 0; i < stars.values.size(); ++i) {
@@ -62,7 +62,7 @@ Image stars_of(const LinearFrame& frame, ExrType type) {
   return stars;
 }
 
-/// The frame, as its stored parts add up.
+/// The frame as the sum of its stored parts.
 Image sum_of(const LinearFrame& frame, const Image& stars) {
   auto sum = stars;
   for (std::size_t i = 0; i < sum.values.size(); ++i)
@@ -84,8 +84,8 @@ Image positions(const Image& moon, const povray_scenes::SceneCamera& camera) {
   return image;
 }
 
-/// Part of a frame's file, of an image that outlives it. Blender tells parts apart by the names of their channels, as
-/// moon.R, alone.
+/// Part of a frame's file, made from an image that must outlive it. Blender tells parts apart only by the names of
+/// their channels, such as moon.R.
 texture::Part part_of(const std::string& name, const Image& image,
                       const texture::ExrOptions& options) {
   texture::Layout layout{image.width, image.height, image.channels};

@@ -7,7 +7,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// ISO 8601 with as many decimals of a second as it takes to read the same instant.
+/// ISO 8601 text with enough decimals of a second to read back the same instant.
 std::string exact_text(const almanac::Instant& when) {
   constexpr int most = 9;
   for (int decimals = 0;; ++decimals) {
@@ -17,7 +17,7 @@ std::string exact_text(const almanac::Instant& when) {
   }
 }
 
-/// Observer and air that the Moon's sightline passes through.
+/// The observer, and the air that the Moon's sightline passes through.
 ViewRequest view_in(const LitMoon& moon) {
   ViewRequest view{.observer = moon.observer};
   if (!moon.observer) return view;

@@ -9,23 +9,23 @@
 
 namespace coppermoon::uses {
 
-/// Recipe, in TOML, of a Moon's moment, ground and light.
+/// Recipe, in TOML, for a Moon's moment, ground and light.
 ///
-/// Given  with_width  also the width of its texture
-///        more        adds parameters, bound to fields that last until the recipe is made
+/// Given  with_width  whether to include the width of the texture
+///        more        adds parameters, bound to fields that must outlive the making of the recipe
 std::string recipe_of_light(const LitMoon& moon, bool with_width,
                             const std::function<void(request::Parameters&)>& more);
 
-/// Recipe of a Moon that was asked for by another: with the work that its light was planned to be, where it has a shadow.
+/// Completes the recipe that a Moon was asked for with: adds the work planned for its light, if it has a shadow.
 request::Recipe recipe_made(const request::Recipe& asked, const LitMoon& moon);
 
-/// Recipe with the width of a texture [texels].
+/// The recipe with the width of a texture added [texels].
 request::Recipe with_width(const request::Recipe& recipe, std::size_t width);
 
-/// Recipe, in TOML, with which `coppermoon bake --recipe` bakes the same texels again. The planned work stands in it
-/// knob by knob, so they are the same on any machine.
+/// Recipe, in TOML, with which `coppermoon bake --recipe` bakes the same texels again. It lists the planned work
+/// setting by setting, so the texels are the same on any machine.
 ///
-/// Omits  a map, as MoonRequest::albedo_map names it, is there by its name alone (files::name_to_share)
+/// Omits  the contents of the map (MoonRequest::albedo_map), which is only named (files::name_to_share)
 std::string texture_recipe(const LitMoon& moon, const TextureContent& content);
 
 }  // namespace coppermoon::uses

@@ -27,7 +27,7 @@ algebra::Angle limb_above_horizon(const almanac::Observer& observer,
   return seen.altitude + semidiameter(seen) - horizon_altitude(observer);
 }
 
-/// The name of a city where its place is meant, else numbers.
+/// The name of a city if the place is that city's, otherwise numbers.
 std::string place_name(const almanac::Observer& observer) {
   const auto city = almanac::nearest_city(observer);
   const bool same = place_text(city.place) == place_text(observer);
@@ -43,7 +43,8 @@ void require_up(const almanac::ObserverView& seen, const almanac::Observer& obse
                   place_name(observer), below_deg, below_deg < 10 ? 1 : 0));
 }
 
-/// The Moon's altitude, or that of the apparent horizon where a high place sees it lower: its air holds from there on.
+/// The Moon's altitude, but not below that of a light on the apparent horizon, where the model of the air ends. A high
+/// place may see the Moon lower.
 algebra::Angle altitude_in_air(const almanac::ObserverView& seen) {
   return std::max(seen.altitude, atmosphere::lowest_true_altitude);
 }
@@ -52,8 +53,8 @@ double flattening_of(const almanac::ObserverView& seen) {
   return atmosphere::refracted_flattening(altitude_in_air(seen), 2 * semidiameter(seen));
 }
 
-/// Across the frame: what is told, or else so that the shorter side takes in the largest Moon there is,
-/// 0.57 degrees from where it stands in the zenith at its nearest, with some margin.
+/// Field across the frame: as given, or else so that the shorter side takes in the largest possible Moon with some
+/// margin. That is 0.57 degrees wide, at its nearest and in the zenith.
 algebra::Angle field_of(const ViewRequest& request) {
   if (request.field_deg) return algebra::degrees(*request.field_deg);
   if (request.focal_length_mm || request.sensor_width_mm) {
@@ -65,7 +66,7 @@ algebra::Angle field_of(const ViewRequest& request) {
                                         algebra::metres(sensor_width_mm / 1e3));
   }
   constexpr double shorter_rad = 0.6 * std::numbers::pi / 180;
-  const auto side = [](std::size_t pixels) {  // one that is out of range is refused later
+  const auto side = [](std::size_t pixels) {  // a side that is out of range is refused later
     return std::clamp(static_cast<double>(pixels), 1., 65535.);
   };
   const double across = side(request.width) / std::min(side(request.width), side(request.height));
@@ -76,9 +77,9 @@ using almanac::Instant;
 
 constexpr double step_s = 1800;
 
-/// Height of the Moon's upper limb above the horizon [rad]; far from it by the quick theory of the Moon.
+/// Height of the Moon's upper limb above the horizon [rad]; far from the horizon, by the quick theory of the Moon.
 double height(const almanac::Observer& place, const Instant& when) {
-  constexpr double far = 0.02;  // in 2000 BC the theories differ by a third of it
+  constexpr double far = 0.02;  // in 2000 BC the theories differ by a third of this
   using enum almanac::LunarTheory;
   const auto by = [&](almanac::LunarTheory theory) {
     return algebra::in_radians(above_horizon(place, almanac::sky_at(when, theory)));
@@ -87,7 +88,7 @@ double height(const almanac::Observer& place, const Instant& when) {
   return std::abs(quick) > far ? quick : by(elp_2000_82b);
 }
 
-/// Zero of the height between two moments, by bisection to 0.02 s.
+/// The moment between two others when the height is zero, by bisection to 0.02 s.
 Crossing crossing(const almanac::Observer& place, Instant from, double seconds) {
   const bool up = height(place, from) > 0;
   while (seconds > 0.02) {
@@ -98,8 +99,8 @@ Crossing crossing(const almanac::Observer& place, Instant from, double seconds) 
   return {from, !up};
 }
 
-/// Times [s from the first moment] and heights [rad]: every half hour, and at extremes so near the horizon that a rise
-/// and a set may lie within a step.
+/// Times [s from the first moment] and heights [rad]: every half hour, and at extremes so near the horizon that both a
+/// rise and a set may lie within one step.
 std::vector<std::pair<double, double>> heights(const almanac::Observer& place, const Instant& from,
                                                double seconds) {
   constexpr double grazing = 3e-3;  // largest rise within a step: (2π / a day · half a step)² / 2

@@ -12,7 +12,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// A value within an expression: a step of the formula, and the values that it is computed from.
+/// A value in an expression: a step of the formula, with the values that it is computed from.
 class Value {
  public:
   Value(double x) : Value("constant", number_type, {}) { node_->step.constant = {x}; }
@@ -24,14 +24,14 @@ class Value {
 
   const std::string& type() const { return node_->step.type; }
 
-  /// Gives the step a name, under which expressions refer to it.
+  /// Gives the step a name that expressions use to refer to it.
   Value named(std::string name, std::string meaning = {}) const {
     node_->step.name = std::move(name);
     node_->step.meaning = std::move(meaning);
     return *this;
   }
 
-  /// Steps in the order in which this value needs them.
+  /// All steps needed for this value, in order of evaluation.
   Formula formula() const {
     Formula steps;
     std::map<const Node*, std::size_t> places;
@@ -112,7 +112,7 @@ Formula shadow_formula(const ShadowMotion& motion, const LightStrip& strip) {
              rows = static_cast<double>(strip.roots.height);
   const auto along = ((stretch(0) + stretch(1) + stretch(2) + stretch(3) + 0.5) / columns)
                          .named("along", "place in the strip");
-  // 1e-9: on the axis itself an arc tangent has no angle
+  // 1e-9 because the arc tangent is undefined on the axis itself
   const auto turns = (of_numbers("atan2", {to_east + 1e-9, to_north}) / (2 * std::numbers::pi))
                          .named("turns", "position angle");
   const auto around = (turns - of_numbers("floor", {turns})) * static_cast<double>(strip.sectors);

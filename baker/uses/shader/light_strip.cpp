@@ -13,22 +13,22 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Numbers of nodes within the umbra, about the beginning of direct light, behind it, and beyond; where light is steep,
-/// up to `most_times` as many, and as many rows.
+/// Numbers of nodes inside the umbra, around the beginning of direct light, just outside it, and farther out. Where
+/// light changes steeply there are up to `most_times` as many nodes and rows.
 constexpr std::array fewest_stretches{180, 240, 80, 90};
 constexpr int most_times = 4;
 
-/// Error of straight lines between texels, of the brightest channel, that needs no more of them; and that between columns
-/// or between rows above which these are doubled where there is more.
+/// Errors of linear interpolation between texels, relative to the brightest channel. Up to `good_enough`, the texels
+/// suffice. Above it, columns or rows with an error above `between_nodes` are doubled.
 constexpr double good_enough = 6e-3, between_nodes = 4e-3;
 
-constexpr double rounding = 5e-4;  ///< of squares of half floats
+constexpr double rounding = 5e-4;  ///< error of squares of half floats
 constexpr int usual_bands = 100;
 
-/// Ends of the stretches from the beginning of direct light [m]: it begins within 30 km all around the Earth's figure.
+/// Ends of the stretches, relative to where direct light begins [m], which varies by less than 30 km around the Earth.
 constexpr double before_m = 320e3, about_m = 60e3, behind_m = 480e3;
 
-/// Axis distances at which refracted light is computed: close where what high rays bring ends.
+/// Axis distances at which refracted light is computed. They are denser where the light from high rays ends.
 std::vector<double> distances_to(double reach_m, double begins_m) {
   constexpr double spacing_m = 25e3, close_m = 5e3, from_m = 450e3;
   std::vector<double> distances{0};
@@ -40,7 +40,7 @@ std::vector<double> distances_to(double reach_m, double begins_m) {
 
 using Colour = std::array<double, 3>;
 
-/// Difference over the brightest channel of what is exact; 0 where that is dark.
+/// Largest difference relative to the brightest channel of the exact light; 0 if the exact light is dark.
 double error_of(const Colour& found, const Colour& exact) {
   const double brightest = std::ranges::max(exact);
   if (brightest <= shadow::darkness_ratio) return 0;
@@ -50,7 +50,7 @@ double error_of(const Colour& found, const Colour& exact) {
   return worst / brightest;
 }
 
-/// Light over sunlight, from which strips are made.
+/// Ratio of light to sunlight at any place, from which strips are filled.
 struct LightAtPlaces {
   const shadow::Lookup& lookup;
   Colour sunlight;
@@ -68,7 +68,7 @@ struct LightAtPlaces {
   }
 };
 
-/// Axis distance in the middle plane, `part` of the way from a node to the next.
+/// Axis distance in the middle plane, at a fraction `part` of the way from one node to the next.
 double node_m(const LightStrip& strip, int node, double part = 0) {
   std::size_t s = 0;
   while (s + 1 < strip.stretches.size() && node >= strip.stretches[s]) node -= strip.stretches[s++];
@@ -97,7 +97,7 @@ void fill(LightStrip& strip, const LightAtPlaces& light) {
   }
 }
 
-/// Light between a texel and the next ones: straight lines between roots, squared.
+/// Light between a texel and its neighbours: the roots are interpolated linearly, then squared.
 Colour light_between(const LightStrip& strip, std::size_t r, std::size_t c, double along,
                      double across) {
   const std::size_t right = along > 0 ? c + 1 : c, below = across > 0 ? r + 1 : r;
@@ -111,7 +111,7 @@ Colour light_between(const LightStrip& strip, std::size_t r, std::size_t c, doub
   return light;
 }
 
-/// Largest errors of straight lines between texels.
+/// Largest errors of linear interpolation between texels.
 struct BetweenTexels {
   std::array<double, 4> columns{};  ///< by stretch
   double rows = 0, both = 0;
@@ -128,7 +128,7 @@ BetweenTexels between_texels(const LightStrip& strip, const LightAtPlaces& light
     std::size_t c = 0;
     for (std::size_t s = 0; s < strip.stretches.size(); ++s)
       for (int i = 0; i < strip.stretches[s]; ++i, ++c) {
-        if (strip.roots(r, c, 0) == 0) continue;  // light begins from nothing
+        if (strip.roots(r, c, 0) == 0) continue;  // no light here yet
         const auto see = [&](double& most, double along, double across) {
           const double middle_m = node_m(strip, static_cast<int>(c), along);
           const auto exact =
@@ -137,7 +137,7 @@ BetweenTexels between_texels(const LightStrip& strip, const LightAtPlaces& light
           most = std::max(most, error_of(light_between(strip, r, c, along, across), exact));
         };
         see(worst.columns[s], 0.5, 0);
-        see(worst.columns[s], 0.25, 0);  // where light rises suddenly the darker side errs most
+        see(worst.columns[s], 0.25, 0);  // at a steep rise, the darker side errs most
         if (last_row) continue;
         see(worst.rows, 0, 0.5);
         see(worst.both, 0.5, 0.5);
@@ -146,12 +146,12 @@ BetweenTexels between_texels(const LightStrip& strip, const LightAtPlaces& light
   return worst;
 }
 
-/// Errors of the light that a strip is made of, at places between those where it was computed: against a finer quadrature
-/// of the same air, halfway between the planes.
+/// Error of the light that fills a strip, at places between those where it was computed. It is compared with a finer
+/// quadrature of the same air, halfway between the planes.
 double error_found(const ShaderRequest& request, const almanac::SkyState& sky,
                    const LightStrip& strip, const LightAtPlaces& light,
                    const shadow::ChannelWeights& weights) {
-  constexpr std::array places{24, 24, 6, 4};  // in each stretch
+  constexpr std::array places{24, 24, 6, 4};  // per stretch
   constexpr double off_nodes = 0.381966;
   LightRequest exact;
   exact.air = request.light.air;

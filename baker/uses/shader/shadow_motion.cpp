@@ -15,7 +15,7 @@ namespace {
 constexpr int coefficients = 5;
 constexpr double margin_s = 600;
 
-/// Place of the Moon's centre [lunar radii], then what turns Moon-fixed axes east, north and away from the Sun.
+/// Place of the Moon's centre [lunar radii], then the rotation from Moon-fixed to east, north and anti-solar axes.
 std::vector<double> moon_at(const almanac::Instant& when) {
   const auto sky = almanac::sky_at(when);
   const auto axis = eclipse::shadow_axis(sky);
@@ -27,7 +27,7 @@ std::vector<double> moon_at(const almanac::Instant& when) {
   return numbers;
 }
 
-/// Motion through the Moon's places at the nodes of Chebyshev's series.
+/// Motion through the Moon's places at Chebyshev nodes.
 ShadowMotion motion_through(const std::vector<std::vector<double>>& moons, double half_s) {
   auto series = algebra::chebyshev_series(moons);
   for (auto& one : series) one = algebra::power_series(one);

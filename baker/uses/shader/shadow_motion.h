@@ -13,13 +13,13 @@ namespace coppermoon::uses {
 ///
 ///     t = seconds from greatest eclipse / half_s
 ///
-/// A place p of the Moon (Moon-fixed axes, unit sphere) then is in the shadow, in lunar radii, at
+/// A place p on the Moon (Moon-fixed axes, unit sphere) is then at this place in the shadow, in lunar radii:
 ///
 ///     east = centre_east + axes[0] · p,    north = centre_north + axes[1] · p,    depth = centre_depth + axes[2] · p
 ///
-/// in the frame of eclipse::ShadowAxis.
+/// The frame is that of eclipse::ShadowAxis.
 struct ShadowMotion {
-  double half_s = 0;                              ///< from the greatest eclipse to either end
+  double half_s = 0;                              ///< from greatest eclipse to either end
   std::array<std::vector<double>, 3> centre{};    ///< [east, north, depth][power], lunar radii
   std::array<std::vector<glm::dvec3>, 3> axes{};  ///< [east, north, depth][power], unit vectors
   double nearest = 0, farthest = 0;               ///< depth of the Moon's centre, lunar radii
@@ -30,7 +30,7 @@ struct ShadowMotion {
 /// Accuracy  0.1 km on the Moon
 ShadowMotion shadow_motion(const eclipse::Eclipse& eclipse);
 
-/// Place of the Moon at one moment, held at all times.
+/// The Moon at rest, at its place at one moment.
 ShadowMotion held_at(const almanac::Instant& when);
 
 }  // namespace coppermoon::uses

@@ -9,14 +9,14 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Words of a language whose expressions are like C's. Another such language is a row like these.
+/// Words of a language with expressions like C's. To add another such language, add another such row.
 struct Language {
   std::string vector, colour;                  ///< types
-  std::string time;                            ///< name of that input
+  std::string time;                            ///< name of the input for time
   std::map<std::string, const char*> words{};  ///< by operation
 };
 
-/// What these languages have in common.
+/// Words that these languages have in common.
 const std::map<std::string, const char*> common_words{
     {"place", "place"},
     {"add", "{} + {}"},
@@ -42,7 +42,7 @@ const Language glsl{
 const Language osl{
     "vector",
     "color",
-    "seconds",  // OSL has a `time` of its own
+    "seconds",  // OSL has its own `time`
     {{"atan2", "atan2({}, {})"},
      {"image",
       "(color)texture(strip, {}, {}, \"width\", 0, \"blur\", 0, \"wrap\", \"clamp\", "
@@ -55,7 +55,7 @@ std::string literal(double number) {
   return text;
 }
 
-/// How closely an expression holds together, and how closely an operand must.
+/// How tightly an expression binds, and how tightly an operand must bind.
 enum class Binding { sum, product, whole };
 
 Binding binding(const std::string& operation) {
@@ -68,7 +68,7 @@ struct ExpressionWriter {
   const Formula& formula;
   const Language& language;
 
-  /// An operand: its name, or what it is computed from, in parentheses where it must be.
+  /// An operand: its name, or its expression, in parentheses if needed.
   std::string operand(std::size_t step, Binding needed) const {
     const auto& part = formula[step];
     if (part.operation == "time") return language.time;
@@ -105,7 +105,7 @@ struct ExpressionWriter {
     return fmt::vformat(words, operands);
   }
 
-  /// Named steps as lines, without the inputs and the result.
+  /// Named steps as lines of code, except for the inputs and the result.
   std::string lines() const {
     const std::map<std::string, std::string> types{
         {number_type, "float"}, {vector_type, language.vector}, {colour_type, language.colour}};
@@ -122,7 +122,7 @@ struct ExpressionWriter {
   std::string result() const { return expression(formula.size() - 1); }
 };
 
-/// What every shader's head says.
+/// Comment at the head of every shader.
 std::string head_of(const ShaderHead& head, const Language& language) {
   return fmt::format(
       R"(// SPDX-License-Identifier: MIT

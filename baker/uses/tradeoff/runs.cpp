@@ -33,7 +33,7 @@ shadow::RefractedLight light_by(const Trial& trial, const Yardstick& yardstick,
   return shadow::by_photons(scene.air, scene.arrangement, waves, photon_settings(trial), progress);
 }
 
-/// Work, in which time is linear.
+/// A measure of work that computing time grows linearly with.
 double work_of(const Trial& trial) {
   return trial.photons / (trial.step_km > 0 ? trial.step_km : 1);
 }
@@ -44,7 +44,7 @@ bool differ_in_work_alone(Trial one, const Trial& other) {
   return one == other;
 }
 
-/// Largest trial made of no more work and otherwise equal settings; null for the quadrature.
+/// The largest trial so far with no more work and otherwise equal settings; nullptr for the quadrature.
 const Measured* nearest_smaller(const Trial& trial, std::span<const Measured> made) {
   const Measured* nearest = nullptr;
   for (const auto& one : made)
@@ -55,7 +55,7 @@ const Measured* nearest_smaller(const Trial& trial, std::span<const Measured> ma
   return nearest;
 }
 
-/// Trial extrapolated from a smaller one: errors as N^(-1/2).
+/// A trial extrapolated from a smaller one, with errors scaled as N^(-1/2).
 Measured extrapolated(const Measured& from, const Trial& trial, double seconds) {
   Measured far = from;
   far.trial = trial;
@@ -69,7 +69,7 @@ Measured extrapolated(const Measured& from, const Trial& trial, double seconds) 
   return far;
 }
 
-/// Trials being made.
+/// Runs trials and keeps what they took.
 class Run {
  public:
   Run(const RunLimits& limits, Yardstick& yardstick) : limits_(limits), yardstick_(yardstick) {}
@@ -107,7 +107,7 @@ class Run {
     return {trial, {}, 0, seconds, yardstick_.errors_of(light, trial.photons > 0), false};
   }
 
-  /// Least seconds of some runs; of three or more where one is short.
+  /// The shortest time of several runs, at least three if the first is short [s].
   double least_seconds(const Trial& trial, const std::function<void()>& run) const {
     double least = limits_.stopwatch(trial, run);
     const int repeat = least < limits_.short_s ? std::max(limits_.repeat, 3) : limits_.repeat;
@@ -122,8 +122,8 @@ class Run {
     return seconds;
   }
 
-  /// Seconds on the line through the smallest and the largest timed trial of no more work and otherwise equal
-  /// settings. Where the slope is lost in the intercept, larger trials are timed first.
+  /// Expected time [s], on the line through the smallest and the largest timed trial with no more work and otherwise
+  /// equal settings. If the slope is lost in the intercept, larger trials are timed first.
   double foretold_seconds(const Trial& trial) {
     constexpr double shows = 1.5, larger = 4;
     for (;;) {
@@ -145,7 +145,7 @@ class Run {
     double seconds;
   };
 
-  /// Timed trials of the least and the most work among those that differ from a trial in work alone, one or more.
+  /// The timed trials with the least and the most work among those that differ from a trial only in work.
   std::pair<Timed, Timed> least_and_most(const Trial& trial) const {
     std::vector<Timed> alike;
     for (const auto& one : timed_)
@@ -156,7 +156,7 @@ class Run {
     return {least, most};
   }
 
-  /// Times the bake, and compares the picture with that of the widest texture.
+  /// Times the bake for each width, and compares the picture with that from the widest texture.
   void make_textures(const Sweep& sweep) {
     constexpr std::size_t most_pixels = 1024;
     const auto light = light_by(sweep.middle, yardstick_, {});

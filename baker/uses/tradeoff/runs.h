@@ -14,17 +14,17 @@
 
 namespace coppermoon::uses {
 
-/// Time and error of a trial.
+/// Time taken by a trial, and its errors.
 struct Measured {
   Trial trial;
-  std::string_view varied;  ///< name of the setting that its sweep varies
+  std::string_view varied;  ///< name of the setting that the sweep varies
   double value = 0;         ///< value of that setting
   double seconds = 0;
   LightErrors errors;
-  bool extrapolated = false;  ///< from smaller trials
+  bool extrapolated = false;  ///< whether extrapolated from smaller trials
 };
 
-/// Settings of a trial by their keys; none of a solver that has no such setting.
+/// Settings of a trial by their keys; nothing for a setting that the solver does not have.
 algebra::ByName<std::optional<double>> settings_of(const Trial& trial);
 
 template <class Field>
@@ -47,31 +47,31 @@ void describe(Field&& is, const Measured& one) {
   is("extrapolated", one.extrapolated, "whether it is extrapolated from smaller trials");
 }
 
-/// Runs a trial and gives the seconds that it took.
+/// Function that runs a trial and returns how many seconds it took.
 using Stopwatch = std::function<double(const Trial& trial, const std::function<void()>& run)>;
 
-/// A Stopwatch by the steady clock.
+/// A Stopwatch that uses the steady clock.
 double seconds_of(const Trial& trial, const std::function<void()>& run);
 
 /// Limits on the time of runs.
 struct RunLimits {
-  double longest_s = 20;  ///< longest run
-  int repeat = 1;         ///< runs, of which the shortest counts; three or more where one is short
+  double longest_s = 20;  ///< longest run that is made
+  int repeat = 1;         ///< runs, of which the fastest counts; at least three if a run is short
   double short_s = 1;     ///< time below which a run is short
   Stopwatch stopwatch = seconds_of;
 };
 
-/// Limits for trials that take seconds together.
+/// Limits for trials that take only seconds in total.
 inline const RunLimits quick_limits{.longest_s = 3, .short_s = 0.1};
 
-/// Makes every trial of the sweeps, in their order.
+/// Runs every trial of the sweeps, in order.
 ///
-/// Seconds are those of the solver, tables included. In a sweep of texture widths they are those of the bake, and the
-/// picture's error is relative to the widest texture. A trial of photons that would exceed the limit is extrapolated
-/// from smaller ones that differ in photons and step alone: time on a straight line over photons by step, whose
-/// intercept is the time of tables; errors as N^(-1/2).
+/// The time is the solver's, tables included. In a sweep of texture widths it is that of the bake, and the picture's
+/// error is relative to the widest texture. A photon trial that would exceed the limit is extrapolated from smaller
+/// trials that differ only in photons and step. Its time lies on a straight line in photons / step, whose intercept
+/// is the time for tables. Its errors scale as N^(-1/2).
 ///
-/// Omits  saturation of CIEDE2000 beyond 10 or so: values extrapolated from there are too small by up to two times
+/// Omits  the saturation of CIEDE2000 above 10 or so: values extrapolated from there are up to two times too small
 std::vector<Measured> measured_trials(std::span<const Sweep> sweeps, Yardstick& yardstick,
                                       const RunLimits& limits,
                                       const algebra::Progress& progress = {});

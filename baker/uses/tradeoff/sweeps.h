@@ -11,45 +11,45 @@
 
 namespace coppermoon::uses {
 
-/// Largest number of replicas of a photon about the axis.
+/// Largest number of replicas of a photon around the axis.
 inline constexpr double most_replicas = 1000;
 
-/// Solver and its settings; 0 where the solver has no such setting.
+/// A solver and its settings; 0 for a setting that the solver does not have.
 struct Trial {
   plan::Solver solver = plan::Solver::quadrature;
   double photons = 0, step_km = 0, wavelengths = 200, rays = 0;
-  /// copies of each photon, evenly about the axis: gathered in 1000 / replicas sectors
+  /// copies of each photon, spread evenly around the axis; light is gathered in 1000 / replicas sectors
   double replicas = 0;
   double texture_width = 512;
 
   bool operator==(const Trial&) const = default;
 };
 
-/// Trials that differ in one setting.
+/// Trials that differ only in one setting.
 struct Sweep {
   Trial middle;
   std::string_view varied;
   double Trial::*setting;
-  std::vector<double> values;  ///< in order of time
+  std::vector<double> values;  ///< in order of increasing time
 
   std::vector<Trial> trials() const;
 };
 
-/// Setting of the sweep that times the bake alone, in the quadrature's light.
+/// Name of the setting in the sweep that times only the bake, with light from the quadrature.
 inline constexpr std::string_view texture_sweep = "texture width";
 
 /// Names of all solvers.
 std::vector<std::string> solver_names();
 
-/// Sweeps of every solver over every setting.
+/// Sweeps over every setting of every solver.
 ///
-/// Given  quick     few and small values
-///        replicas  the most that the air allows: 1000 where it is symmetric about the axis, else half
+/// Given  quick     use few and small values
+///        replicas  the most that the air allows: 1000 if it is symmetric about the axis, otherwise half as many
 std::vector<Sweep> sweeps(bool quick, double replicas);
 
-/// Sweeps of some solvers.
+/// The sweeps that belong to some solvers.
 ///
-/// Given  solvers  names from solver_names(); empty: all
+/// Given  solvers  names from solver_names(); if empty, all
 std::vector<Sweep> sweeps_of(std::span<const std::string> solvers, std::vector<Sweep> sweeps);
 
 }  // namespace coppermoon::uses

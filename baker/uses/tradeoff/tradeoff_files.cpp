@@ -10,14 +10,14 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Number in text: 10000 and more as 1e4, less as it is.
+/// A number as text: from 10000 on in the form 1e4, smaller ones as they are.
 std::string number(double value) {
   if (value < 1e4) return fmt::format("{:g}", value);
   const double power = std::floor(std::log10(value));
   return fmt::format("{:.3g}e{:g}", value / std::pow(10, power), power);
 }
 
-/// Settings that the solver has, without the varied one.
+/// The solver's settings in words, except for the varied one.
 std::string settings_in_words(const Measured& one) {
   std::string text;
   for (auto [name, value] : settings_of(one.trial)) {
@@ -46,7 +46,7 @@ constexpr std::string_view colour_of(plan::Solver solver) {
   return colours[static_cast<std::size_t>(solver)];
 }
 
-/// Filled symbol; the open one is the number before it.
+/// Number of the filled symbol for a sweep. The matching open symbol is one less.
 int symbol_of(std::string_view varied) {
   constexpr std::array<std::string_view, 5> filled{"rays", "photons", "wavelengths", "replicas",
                                                    "step"};
@@ -60,7 +60,7 @@ bool is_the_papers(const Trial& trial) {
 
 using Which = bool (*)(const Measured&);
 
-/// Some of the trials as rows: seconds, error, value.
+/// Some of the trials as rows of seconds, error and value.
 std::string rows_of(std::span<const Measured> all, Which which) {
   std::string rows;
   for (const auto& one : all)
@@ -70,7 +70,7 @@ std::string rows_of(std::span<const Measured> all, Which which) {
   return rows;
 }
 
-/// Whether two points are far enough apart on the plot for labels of both.
+/// Whether two points are far enough apart on the plot to label both.
 bool apart(const Measured& one, const Measured& other) {
   const auto differ = [](double a, double b) { return std::max(a, b) > 4 * std::min(a, b); };
   return differ(one.seconds, other.seconds) || differ(one.errors.umbra.rms, other.errors.umbra.rms);

@@ -46,7 +46,7 @@ double weighted(std::span<const double> ratios, std::span<const double> weights)
   return std::inner_product(ratios.begin(), ratios.end(), weights.begin(), 0.);
 }
 
-/// Luminance of refracted light: (sector, place).
+/// Luminance of refracted light, (sector, place).
 Grid<double> luminance_of(const shadow::RefractedLight& light) {
   const auto weights = luminance_of_sunlight(light.wavelengths_nm.size());
   Grid<double> luminance(light.sectors, light.axis_distances_m.size());
@@ -76,7 +76,7 @@ Grid<double> sum(Grid<double> a, const Grid<double>& b) {
   return a;
 }
 
-/// Mean of a field over one of `sectors` sectors, by place, from four angles in it.
+/// Mean of a field over one of `sectors` sectors, for each place, from four angles within the sector.
 std::vector<double> over_sector(const Grid<double>& field, std::size_t sector,
                                 std::size_t sectors) {
   constexpr int angles = 4;
@@ -132,18 +132,18 @@ texture::Image seen_from_earth(const texture::Image& texture, const almanac::Sky
   return seen;
 }
 
-/// Errors within the umbra and beyond it.
+/// Errors inside the umbra and outside it.
 struct ErrorsByZone {
   Errors umbra, penumbra;
 
-  /// Given  at_m  axis distance, in proportion to which is the area
+  /// Given  at_m  axis distance, which the area is proportional to
   void add(double found, double expected, double at_m) {
     (at_m < umbra_m ? umbra : penumbra).add(found, expected, at_m);
   }
   LightErrors spread() const { return {umbra.spread(), penumbra.spread(), {}}; }
 };
 
-/// Axis distances that the Moon's disc takes in.
+/// Axis distances that the Moon's disc covers.
 shadow::LookupRange over_the_disc(const almanac::SkyState& sky) {
   const double centre = algebra::in_metres(
       eclipse::place_in_shadow(eclipse::shadow_axis(sky), sky.moon_m).axis_distance);

@@ -16,7 +16,7 @@
 
 namespace coppermoon::uses {
 
-/// Scene of one moment, with one plane of shadow through the Moon's centre.
+/// Scene at one moment, with one plane of the shadow through the Moon's centre.
 struct MeasuredScene {
   almanac::SkyState sky;
   atmosphere::Atmosphere air;
@@ -25,45 +25,45 @@ struct MeasuredScene {
   surface::Photometry photometry;
 };
 
-/// Scene of one moment.
+/// Makes the scene for one moment.
 ///
-/// Given   moon   air and limb darkening, map, photometry and texture width; the rest is ignored
-/// Throws  Error  when the air or the map is not sound
+/// Given   moon   whose air, limb darkening, map, photometry and texture width are used; the rest is ignored
+/// Throws  Error  when the air or the map is invalid
 MeasuredScene measured_scene(const MoonRequest& moon, const almanac::SkyState& sky);
 
-/// Settings of the reference.
+/// Settings for the reference light.
 struct ReferenceSettings {
   int rays = 6000;
   std::size_t bands = 400;
-  double spacing_m = 25e3;  ///< step of axis distance, as far as refracted light reaches
+  double spacing_m = 25e3;  ///< step in axis distance, as far as refracted light reaches
   std::size_t texture_width = 512;
 };
 
-/// Settings of a reference that takes seconds. Its error is a ninth of that of 300 rays, or less.
+/// Settings for a reference that takes only seconds. Its error is at most a ninth of the error with 300 rays.
 constexpr ReferenceSettings quick_reference{1000, 200, 50e3, 256};
 
-/// Errors of irradiance, relative to the reference's refracted and direct light at the place: root mean square over the
-/// area, and the largest.
+/// Errors of irradiance relative to the reference's refracted and direct light at the same place: the root mean square
+/// over the area, and the largest.
 struct Spread {
   double rms = 0, worst = 0;
 };
 
-/// Difference of two pictures: CIEDE2000 over the Moon's disc, mean and 99th percentile.
+/// Difference between two pictures: CIEDE2000 over the Moon's disc, as mean and 99th percentile.
 struct PictureErrors {
   double mean = 0, percentile_99 = 0;
 };
 
-/// Errors of light: in the umbra (within 4500 km of the axis), beyond it, and in the picture.
+/// Errors of some light: in the umbra (within 4500 km of the axis), beyond it, and in the picture.
 struct LightErrors {
   Spread umbra, penumbra;
   PictureErrors picture;
 };
 
-/// Reference light of one scene, and errors of other light against it.
+/// Reference light for one scene. Measures the errors of other light relative to it.
 ///
-/// Irradiance is weighted as luminance: Σ over bands of ȳ times sunlight times ratio. Light of the quadrature is
-/// compared place by place; light of photons at the middles of their rings, with the reference's mean over each
-/// sector. Pictures are the scene's Moon baked in the light, seen from the Earth's centre, and developed at the
+/// Irradiance is weighted as luminance: the sum over bands of ȳ times sunlight times ratio. The quadrature's light is
+/// compared place by place. Light from photons is compared at the middles of their rings with the reference's mean over
+/// each sector. Pictures show the scene's Moon baked in the light, as seen from the Earth's centre, developed at the
 /// exposure that suits the reference.
 class Yardstick {
  public:
@@ -73,23 +73,23 @@ class Yardstick {
   Yardstick(MeasuredScene scene, const ReferenceSettings& settings,
             const algebra::Progress& progress = {});
 
-  /// Scene of the reference.
+  /// The scene that the reference lights.
   const MeasuredScene& scene() const { return scene_; }
-  /// Axis distances at which a quadrature is to give its light.
+  /// Axis distances at which a quadrature should compute its light.
   const std::vector<double>& axis_distances_m() const { return distances_m_; }
 
   /// Errors of some light.
   ///
   /// Given  light     on the scene's plane, at axis_distances_m or in rings
-  ///        in_rings  light of photons
+  ///        in_rings  whether the light comes from photons
   LightErrors errors_of(const shadow::RefractedLight& light, bool in_rings);
 
-  /// Texture of the scene's Moon in some light, linear Rec.709 [cd/m²].
+  /// Texture of the scene's Moon in the given light, linear Rec.709 [cd/m²].
   texture::Image baked(const shadow::RefractedLight& light, std::size_t width) const;
 
-  /// Difference of two textures' pictures.
+  /// Difference between the pictures that two textures give.
   ///
-  /// Given  pixels  across the disc as the Earth's centre sees it; between texels bilinear
+  /// Given  pixels  across the disc as seen from the Earth's centre; texels are interpolated bilinearly
   PictureErrors picture_errors(const texture::Image& reference, const texture::Image& other,
                                std::size_t pixels) const;
 

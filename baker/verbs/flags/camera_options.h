@@ -6,10 +6,10 @@
 
 namespace coppermoon::verbs {
 
-/// Files of one photograph: --raw, --photograph.
+/// Adds --raw and --photograph, which name the files to write for one photograph.
 void add_camera_file_options(Verb& verb, uses::CameraRequest& request);
 
-/// --space of a scene-linear frame.
+/// Adds --space, the colour space of a scene-linear frame.
 void add_frame_space_option(Verb& verb, colour::WorkingSpace& space);
 
 }  // namespace coppermoon::verbs

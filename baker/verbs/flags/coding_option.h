@@ -14,7 +14,7 @@
 
 namespace coppermoon::verbs {
 
-/// --coding: what a photograph's numbers mean.
+/// Adds --coding: how a photograph's numbers stand for light.
 inline request::Parameter& add_coding_option(Verb& verb, texture::Coding& coding,
                                              const std::string& help) {
   using enum texture::Coding;
@@ -24,7 +24,7 @@ inline request::Parameter& add_coding_option(Verb& verb, texture::Coding& coding
       help);
 }
 
-/// Says which photographs of cameras are read as sRGB, for their headers name a program that developed them.
+/// Says which photographs from cameras are read as sRGB because their headers name a program that developed them.
 inline void warn_of_developers(const std::vector<std::string>& photos, texture::Coding told) {
   if (told != texture::Coding::as_file_says) return;
   for (const auto& photo : photos)

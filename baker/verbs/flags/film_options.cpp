@@ -32,13 +32,13 @@ struct ProductWord {
   bool uses::Products::*product;
 };
 
-/// Words of --make.
+/// Words that --make accepts.
 constexpr ProductWord product_words[]{
     {"light", &uses::Products::light},   {"scenes", &uses::Products::scenes},
     {"tx", &uses::Products::mipmapped},  {"textures", &uses::Products::textures},
     {"frames", &uses::Products::frames}, {"pictures", &uses::Products::pictures}};
 
-/// Seconds of a text as "10", "10s" or "2min", as a number.
+/// Number of seconds in a text such as "10", "10s" or "2min", as text.
 std::string duration_as_seconds(const std::string& text) {
   const auto seconds =
       algebra::number_with_unit(text, {{"min", 60}, {"h", 3600}, {"s", 1}, {"", 1}});
@@ -48,7 +48,7 @@ std::string duration_as_seconds(const std::string& text) {
   return request::text_of(*seconds);
 }
 
-/// Adds a parameter of the film.
+/// Adds a parameter under the heading "The film".
 request::Parameter& add(Verb& verb, request::Parameter made, Affects affects = Affects::ground) {
   return add_flag(verb, std::move(made)).in("The film").of(affects);
 }
@@ -98,9 +98,9 @@ void add_times(Verb& verb, FilmOptions& options) {
       .within(0, 1e6);
 }
 
-/// Moments of a list.
+/// Moments in a list with commas.
 ///
-/// Throws  Error  when one of them is none
+/// Throws  Error  if one of them cannot be read
 std::vector<Instant> moments_in(const std::string& text, const eclipse::Eclipse& eclipse,
                                 const uses::MomentContext& context) {
   std::vector<Instant> moments;
@@ -177,7 +177,7 @@ constexpr double half_a_month_s = 15 * 86400.;
 
 /// Eclipse nearest to a moment, at most half a month away.
 ///
-/// Throws  Error  when there is none: names the nearest
+/// Throws  Error  if there is none; the message names the nearest
 eclipse::Eclipse eclipse_near(const std::string& text, almanac::Calendar calendar) {
   const auto moment = almanac::instant_from_utc(text, calendar);
   auto nearest = eclipse::nearest_eclipse(moment, eclipse::ShadowConvention::danjon);

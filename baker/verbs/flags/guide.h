@@ -7,23 +7,23 @@
 
 namespace coppermoon::verbs {
 
-/// What a newcomer to a verb needs first.
+/// What a newcomer to a command needs first.
 struct Guide {
   std::string_view verb;
-  std::vector<std::string_view> common;    ///< its flags that --help lists, without dashes
+  std::vector<std::string_view> common;    ///< flags that --help lists, without dashes
   std::vector<std::string_view> examples;  ///< command lines
 };
 
-/// Verbs that do one kind of thing, as the program's help lists them.
+/// Commands for one kind of task, as the program's help lists them.
 struct GuideGroup {
   std::string_view heading;
   std::vector<Guide> guides;
 };
 
-/// Every verb once.
+/// Guides to all commands, each command once.
 const std::vector<GuideGroup>& guides();
 
-/// The guide of a verb; an empty one for a verb that has none.
+/// The guide to a command; empty if the command has none.
 const Guide& guide_to(std::string_view verb);
 
 }  // namespace coppermoon::verbs

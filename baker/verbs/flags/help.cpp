@@ -31,13 +31,13 @@ std::string value_name(const request::Parameter& parameter) {
   return parameter.kind == Kind::file_read || is_written(parameter.kind) ? "FILE" : "TEXT";
 }
 
-/// Number of characters of a UTF-8 text.
+/// Number of characters in a UTF-8 text.
 std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(
       std::ranges::count_if(text, [](char byte) { return (byte & 0xC0) != 0x80; }));
 }
 
-/// Text wrapped to the page, its lines behind the first indented.
+/// Text wrapped to the width of the page, with all lines after the first indented.
 std::string wrapped(const std::string& text, std::size_t indent) {
   std::istringstream words(text);
   std::string lines, line;

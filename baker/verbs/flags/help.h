@@ -8,14 +8,14 @@
 
 namespace coppermoon::verbs {
 
-/// Flag as help shows it.
+/// A flag as help shows it.
 struct FlagText {
   std::string name;   ///< "output", without dashes
   std::string names;  ///< "-o, --output"
-  std::string value;  ///< "FILE"; empty: takes none
-  std::string text;   ///< meaning, words allowed, default
+  std::string value;  ///< "FILE"; empty if it takes no value
+  std::string text;   ///< meaning, allowed words and default
   std::string group;
-  std::vector<std::string> words;  ///< allowed values, where they are words
+  std::vector<std::string> words;  ///< allowed values, if they are words
   bool positional = false, required = false, many = false;
 };
 
@@ -25,13 +25,13 @@ std::vector<FlagText> flag_texts(const Verb& verb);
 /// Usage of a command: "still INSTANT -o FILE [options]".
 std::string usage_of(const Verb& verb);
 
-/// Text of --help of a command: its common flags (guide_to), and two examples.
+/// Text that --help prints for a command: its common flags (guide_to), and two examples.
 std::string short_help(const Verb& verb);
 
-/// Text of --help-all of a command: all its flags, by heading.
+/// Text that --help-all prints for a command: all its flags, by heading.
 std::string full_help(const Verb& verb);
 
-/// Text of --help of the program: its commands.
+/// Text that --help prints for the program: its commands.
 std::string program_help(const Program& program);
 
 }  // namespace coppermoon::verbs

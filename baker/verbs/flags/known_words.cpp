@@ -8,7 +8,7 @@
 namespace coppermoon::verbs {
 namespace {
 
-/// Word of ours, and those that other programs have for it, with spaces between.
+/// One of our words, and the words that other programs use for it, separated by spaces.
 struct Meaning {
   std::string_view here, elsewhere;
 };
@@ -60,7 +60,7 @@ constexpr Meaning flags_elsewhere[] = {
     {"danjon", "danjon-scale red"},
 };
 
-/// Flags of earlier versions, and what to do now.
+/// Flags from earlier versions, and what to do instead.
 constexpr std::pair<std::string_view, std::string_view> flags_before[] = {
     {"precision", "photons are no longer marched; --tolerance says how exact light is to be"},
     {"trace", "the solver photons goes by a table, literal steps each photon as in the paper"},

@@ -10,26 +10,26 @@
 
 namespace coppermoon::verbs {
 
-/// Fields that the flags of light fill; `light_request` makes a request of them.
+/// Fields that the flags for light fill in; `light_request` turns them into a request.
 struct LightOptions {
   uses::LightRequest request;
   uses::Effort effort;
-  /// Recipe that photons depend on, once the command line is read
+  /// Returns the part of the recipe that photons depend on, once the command line is read
   std::function<std::string()> key;
 };
 
-/// Adds all flags of light but those that share photons among runs.
+/// Adds all flags for light except those that share photons among runs.
 void add_light_options(Verb& verb, LightOptions& options);
 
 /// Adds --shard K/N, --keep FILE, --add FILE.
 void add_photon_file_options(Verb& verb, LightOptions& options);
 
-/// Request that the flags of light make; the quality "paper" sets several of them.
+/// Request that the flags for light describe. The quality "paper" sets several of its fields.
 ///
-/// Throws  Error  when they contradict one another
+/// Throws  Error  if the flags contradict one another
 uses::LightRequest light_request(const LightOptions& options);
 
-/// Says on stderr when no air makes the eclipse as dark or as bright as --danjon asks.
+/// Says so on stderr if no air makes the eclipse as dark or as bright as --danjon asks.
 void say_unless_danjon_is_reached(const uses::Air& air, const almanac::SkyState& sky);
 
 }  // namespace coppermoon::verbs

@@ -13,44 +13,44 @@
 
 namespace coppermoon::verbs {
 
-/// Moment as the flags give it.
+/// A moment as the flags give it.
 struct MomentOptions {
   std::string text;
   almanac::Calendar calendar = almanac::Calendar::gregorian;
-  std::string zone = {};  ///< of times of day without an offset; empty: UTC
+  std::string zone = {};  ///< time zone for times of day without an offset; empty: UTC
 };
 
-/// Adds the moment, with or without --instant before it, --calendar and --zone.
+/// Adds --calendar, --zone, and the moment, which may be given with or without --instant.
 ///
-/// Given  more  for help: other things that may stand in the moment's place
+/// Given  more  what else may be given in place of the moment, for help
 request::Parameter& add_moment_options(Verb& verb, MomentOptions& options,
                                        const std::string& more = "");
 
 /// Adds --calendar.
 void add_calendar_option(Verb& verb, almanac::Calendar& calendar);
 
-/// Adds --zone, of the clock times that a command line gives.
+/// Adds --zone, the time zone for clock times on the command line.
 void add_zone_option(Verb& verb, std::string& zone);
 
 /// Adds the key `calendar` to a document whose dates are not Gregorian.
 void say_calendar(nlohmann::ordered_json& document, almanac::Calendar calendar);
 
-/// The moment that is meant (uses::moment_in). Where it is given by another name, as a day or a contact, the program says
-/// on stderr which it is.
+/// The moment that the options mean (uses::moment_in). If they name it otherwise than by its time, such as by a day or
+/// a contact, the program says on stderr which moment that is.
 ///
-/// Given   observer  whose days, moonrise and moonset are meant
+/// Given   observer  the observer to whom days, moonrise and moonset refer
 /// Throws  Error     as uses::moment_in
 almanac::Instant instant_of(const MomentOptions& options,
                             const std::optional<almanac::Observer>& observer = {});
 
-/// Says on stderr which city is taken, where the name behind --at leaves a doubt (almanac::city_taken). A city of the
-/// user's own becomes numbers in recipes, which others can read.
+/// Says on stderr which city is taken if the name after --at is ambiguous (almanac::city_taken). A city that only the
+/// user defined becomes coordinates in recipes, so that others can use them.
 void say_which_city(Verb& verb);
 
-/// Says on stderr which times of a command line with a place in it are read as UTC for want of an offset.
+/// Says on stderr which times are read as UTC because they have no offset, although the command line names a place.
 void say_what_is_utc(const Verb& verb);
 
-/// Says on stderr whose clocks a place has, where no city is near (uses::whose_clocks).
+/// Says on stderr whose local time is used for a place if no city is near it (uses::whose_clocks).
 void say_whose_clocks(const almanac::Observer& observer);
 
 }  // namespace coppermoon::verbs

@@ -10,31 +10,29 @@
 
 namespace coppermoon::verbs {
 
-/// Whether a name has the ending of a file, as "film.mp4".
+/// Whether a name ends like that of a file, such as "film.mp4".
 bool ends_as_a_file(const std::filesystem::path& name);
 
-/// Colour space of a file that is written: as its name says, or as asked for; nothing where neither does.
+/// Colour space for a file to write, as its name says or as asked for; nothing if neither gives one.
 ///
-/// Throws  algebra::Error  when they differ
+/// Throws  algebra::Error  if the two differ
 std::optional<colour::WorkingSpace> space_for(const std::filesystem::path& file,
                                               std::optional<colour::WorkingSpace> asked);
 
-/// Says on stderr which colour space a file is in, where its name seems to say another, as moon_aces.exr does.
+/// Says on stderr which colour space a file is in if its name, such as moon_aces.exr, suggests another.
 ///
-/// Given  way_out  how it would be another; empty: it cannot
+/// Given  way_out  advice on how to get another space; empty if that is impossible
 void say_space_of(const std::filesystem::path& file, colour::WorkingSpace space,
                   std::string_view way_out = {});
 
 inline constexpr std::string_view other_spaces =
     "; --space, or a name with acescg or lin_ciexyzd65_scene, makes it another";
 
-/// Refuses a command line by which one file would overwrite another, before any work is done.
+/// Refuses a command line with which one file would overwrite another, before any work is done.
 ///
-/// Throws  algebra::Error  when a file that is written is also one that is read (the same file by any
-///                         name or link), two that are written are one, or one that is read stands in
-///                         a folder that is written; the recipe may stand there. When one that is
-///                         read is no regular file. When a folder that is not there yet has a file's
-///                         name
+/// Throws  algebra::Error  if a file to write is also to be read (by any name or link), if two files to write are the
+///                         same, if a file to read other than the recipe lies in a folder to write, if a file to read
+///                         is not a regular file, or if a new folder has a name like a file's
 void require_files_apart(const Verb& verb);
 
 }  // namespace coppermoon::verbs

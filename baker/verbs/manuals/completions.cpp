@@ -13,7 +13,7 @@
 namespace coppermoon::verbs {
 namespace {
 
-/// Command, and its flags.
+/// A command and its flags.
 struct Command {
   std::string name, text;
   std::vector<FlagText> flags;
@@ -43,7 +43,7 @@ bool takes_files(const Command& command) {
   });
 }
 
-/// Text up to its first punctuation mark, short enough to stand beside an option.
+/// Start of a text, up to its first punctuation mark and short enough to stand beside an option.
 std::string brief(const std::string& text) {
   auto end = text.size();
   for (const char* stop : {": ", "; ", ". ", " ("}) end = std::min(end, text.find(stop));

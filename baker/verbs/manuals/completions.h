@@ -7,7 +7,7 @@
 
 namespace coppermoon::verbs {
 
-/// Scripts by which a shell completes commands, options, options' words and files.
+/// Scripts with which a shell completes commands, options, the words that options accept, and files.
 std::string bash_completion(const Program& program);
 std::string zsh_completion(const Program& program);
 std::string fish_completion(const Program& program);

@@ -5,8 +5,8 @@
 
 namespace coppermoon::verbs {
 
-/// Refuses two photographs that are not of one scene, as far as their headers tell: of other sizes or
-/// windows, more than a minute apart, in other spaces or units, or with recipes that differ in more
+/// Refuses two photographs that do not show the same scene, judging by their headers: if they differ in size or
+/// window, in colour space or units, by more than a minute in time, or if their recipes differ in more
 /// than exposure, noise and development.
 ///
 /// Throws  Error  with both names, and what differs

@@ -9,23 +9,23 @@
 
 namespace coppermoon::verbs {
 
-/// Whether a file is one of coppermoon's that holds its recipe, by its ending, or by its name in Stellarium's folder.
+/// Whether a file made by coppermoon holds its recipe, judging by its ending, or by its name in Stellarium's folder.
 bool holds_recipe(const std::filesystem::path& path);
 
-/// Gives a command's parameters the values of a recipe, which is a TOML file or stands in a file of coppermoon's, but for
-/// those that the command line gives itself. The table [atmosphere] holds parameters of the air, --atmosphere itself as
-/// `model`, and regions as [[atmosphere.region]]; [camera] likewise. Keys of other commands are passed over: one recipe
-/// serves all.
+/// Sets a command's parameters from a recipe, which is a TOML file or is stored in a file made by coppermoon. Values
+/// given on the command line itself take precedence. The table [atmosphere] holds parameters of the air, with
+/// --atmosphere itself as `model` and regions as [[atmosphere.region]]; [camera] likewise. Keys of other commands are
+/// ignored, so that one recipe serves all commands.
 ///
-/// Throws    WrongUsage       for a key there is not, with the nearest there is, and for a value that is none of those
-///                            allowed: "<file>:<line>: …"
-///           algebra::Error   when the recipe cannot be read (request::recipe_in), or a value is not allowed:
+/// Throws    WrongUsage       for an unknown key, with the nearest known one, and for a value that is not one of the
+///                            words allowed: "<file>:<line>: …"
+///           algebra::Error   if the recipe cannot be read (request::recipe_in), or a value is not allowed:
 ///                            "<file>:<line>: …"
 void take_recipe(Verb& verb, const std::string& path);
 
-/// Says on stderr, in one line, where a file was made in the colours of another camera than a response is.
+/// Says in one line on stderr if a file was made in the colours of a camera other than that of the response.
 ///
-/// Given  response  of the photograph or picture; none: any
+/// Given  response  camera response of the photograph or picture; if absent, any camera will do
 void warn_of_another_camera(const std::string& file, const std::optional<std::string>& response);
 
 }  // namespace coppermoon::verbs

@@ -10,14 +10,15 @@
 
 namespace coppermoon::verbs {
 
-/// Lit scene of the flags, with its recipe in the texture's header; a progress bar shows the light.
+/// Lit scene that the flags describe, with its recipe in the texture's header. A progress bar shows how the computation
+/// of light proceeds.
 ///
-/// Given   baking  gets the progress of the texture once its file is written
+/// Given   baking  receives the progress of the texture while its file is written
 /// Throws  Error  as moon_request, eclipsed_sky, uses::lit_scene
 uses::LitScene lit_scene(const Verb& verb, const MoonOptions& moon, const uses::ViewRequest& view,
                          uses::Baking baking);
 
-/// Report of a file made from a scene.
+/// Report on a file made from a scene.
 Report report_of(const std::string& file, const uses::LitScene& scene, double seconds);
 
 }  // namespace coppermoon::verbs

@@ -21,17 +21,17 @@ namespace {
 namespace fs = std::filesystem;
 using request::Kind;
 
-/// Text in double quotes, which YAML and JSON write alike.
+/// Text in double quotes, as valid in YAML as in JSON.
 std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
 
-/// Path from a folder on; none where it is not in that folder.
+/// Path relative to a folder; nothing if it does not lie in that folder.
 std::optional<std::string> path_within(const fs::path& folder, const fs::path& path) {
   const auto found = (fs::current_path() / path).lexically_normal().lexically_relative(folder);
   if (found.empty() || *found.begin() == "..") return std::nullopt;
   return found.string();
 }
 
-/// Name of a job's parameter: "ContactSheet" for the flag "contact-sheet".
+/// Name for a job's parameter: "ContactSheet" for the flag "contact-sheet".
 std::string parameter_name(const std::string& flag) {
   std::string name;
   bool begins = true;
@@ -42,9 +42,10 @@ std::string parameter_name(const std::string& flag) {
   return name;
 }
 
-/// Parameter for a path, which a farm may map: a template may say those alone that stand in its own folder.
+/// Job parameter for a path. A farm may map paths, but a template may only name those in its own folder; any other path
+/// becomes a text.
 ///
-/// Given  kind  of the path: "objectType" and "dataFlow"
+/// Given  kind  lines with the path's "objectType" and "dataFlow"
 std::string path_parameter(const std::string& name, std::string_view kind, const fs::path& folder,
                            const std::string& path, const std::string& description) {
   const auto within = path_within(folder, path);
@@ -53,7 +54,7 @@ std::string path_parameter(const std::string& name, std::string_view kind, const
                      quoted(within.value_or(path)), quoted(description));
 }
 
-/// Flags of the tasks, and the job's parameters for the files that they name.
+/// Flags for the tasks, and the job's parameters for the files that these flags name.
 struct Flags {
   std::vector<std::string> of_shard, of_film;
   std::string parameters;
@@ -79,19 +80,19 @@ void add_word(Flags& flags, const request::Parameter& flag, const std::string& t
   flags.of_shard.push_back(word);
 }
 
-/// Whether a flag's text names a file or folder; a file that is read may have a word in its place, as "built-in".
+/// Whether a flag's text names a file or folder. In place of a file to read, there may be a word such as "built-in".
 bool names_file(const request::Parameter& flag, const std::string& text) {
   return is_written(flag.kind) || (flag.kind == Kind::file_read && fs::exists(text));
 }
 
-/// Products of all tasks, where files that the last task alone makes add some to --make; else empty.
+/// Products that all tasks must make, if the files made by the last task need more than --make lists; else empty.
 std::string added_products(const Verb& verb, const uses::Film& film) {
   const auto asked = make_text(products_of({.make = verb.parameters.find("make")->text()}));
   const auto all = make_text(film.products);
   return all == asked ? "" : all;
 }
 
-/// Given  make  in place of what --make says; empty: nothing
+/// Given  make  replaces the value of --make, unless empty
 Flags given_flags(const Verb& verb, const fs::path& folder, const std::string& make) {
   constexpr std::array of_the_run{"job", "recipe", "shard"};
   Flags flags;
@@ -113,7 +114,7 @@ Flags given_flags(const Verb& verb, const fs::path& folder, const std::string& m
   return flags;
 }
 
-/// Command of a step: GNU's env goes to the folder where relative names begin, in which the film's record has them.
+/// Command for a step. GNU's env changes to the folder to which relative names refer, as in the film's record.
 std::string action(const std::vector<std::string>& flags) {
   std::string text =
       "    script:\n      actions:\n        onRun:\n          command: env\n          args:\n";

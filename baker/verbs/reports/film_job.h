@@ -9,14 +9,14 @@
 
 namespace coppermoon::verbs {
 
-/// Job of a film for a render farm: a template of Open Job Description, revision 2023-09, in YAML. The step `frames`
-/// has a task for each shard; the step `film`, after it, makes what needs every frame. The job's parameters are the
-/// program, the folder that it runs in, the number of shards, and each file or folder that the command names;
-/// a path when it stands in the job's folder, else a text, since a template may not name paths elsewhere.
+/// Job that makes a film on a render farm: an Open Job Description template, revision 2023-09, in YAML. Its step
+/// `frames` has a task for each shard; the step `film`, after it, makes what needs every frame. The job's parameters
+/// are the program, the folder in which it runs, the number of shards, and each file or folder that the command names:
+/// a path if it lies in the job's folder, else a text, since a template may not name paths elsewhere.
 ///
-/// Given   verb      `animate`, its flags read: the tasks get those that were given, a recipe's among them
-///         job_file  in the current folder or above it: names of files are written relative to its folder
-/// Throws  Error     for another file; for a flag with {{, which a template would take for a name of its own
+/// Given   verb      `animate` with its flags set: the tasks get those that were given, including those from a recipe
+///         job_file  in the current folder or a folder above it; names of files are written relative to its folder
+/// Throws  Error     for a job file elsewhere; for a flag that contains {{, which a template would interpret
 std::string film_job(const Verb& verb, const uses::Film& film,
                      const std::filesystem::path& job_file);
 

@@ -14,7 +14,7 @@
 
 namespace coppermoon::verbs {
 
-/// Events of a film, as --json prints them, each on a line.
+/// Events while a film is made, which --json prints, each on a line.
 struct LightEvent {
   bool kept = false;
   double seconds = 0, error = 0;
@@ -34,7 +34,7 @@ struct FrameEvent {
   std::string instant;
   bool kept = false;
   std::size_t done = 0, of = 0;
-  std::optional<bool> developed_again;  ///< none of a frame that is kept
+  std::optional<bool> developed_again;  ///< absent for a frame that is kept
   std::optional<uses::Exposures> exposures;
   std::vector<std::string> files;
 };
@@ -86,8 +86,8 @@ void describe(Field&& is, const DoneEvent& done) {
   is("seconds", done.seconds, algebra::unit::seconds, "time that it took");
 }
 
-/// Progress of a film: on a terminal a bar on stderr with the count of frames, rate and time left; else a line per frame on stdout,
-/// or one JSON event per line.
+/// Shows the progress of a film. On a terminal, a bar on stderr shows the number of frames, the rate and the time left.
+/// Otherwise there is one line per frame on stdout, or one JSON event per line.
 class FilmProgress {
  public:
   FilmProgress(const uses::Film& film, std::size_t frames, bool json);
@@ -95,17 +95,17 @@ class FilmProgress {
   FilmProgress(const FilmProgress&) = delete;
   FilmProgress& operator=(const FilmProgress&) = delete;
 
-  /// Light is there, kept or made in so many seconds.
+  /// Reports that the light is available, kept from an earlier run or made in this many seconds.
   void light(bool kept, double seconds) const;
 
-  /// Frame of an earlier run is kept.
+  /// Reports that a frame from an earlier run is kept.
   void kept(std::size_t frame);
   void made(const uses::MadeFrame& frame);
 
-  /// File of the whole film is there.
+  /// Reports that a file of the whole film has been written.
   void file(const std::filesystem::path& path);
 
-  /// Film is done.
+  /// Reports that the film is done.
   void done() const;
 
  private:

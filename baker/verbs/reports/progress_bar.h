@@ -11,7 +11,7 @@
 
 namespace coppermoon::verbs {
 
-/// Progress bar on stderr for as long as it lives: on a terminal alone, and once a second has passed.
+/// Shows a progress bar on stderr during its lifetime, but only on a terminal and only after a second.
 class ProgressBar {
  public:
   explicit ProgressBar(std::string what);
@@ -19,7 +19,7 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// Callback for a function that reports its progress; must not outlive the bar.
+  /// Callback for a function that reports its progress. Must not outlive the bar.
   algebra::Progress progress();
 
  private:
@@ -31,11 +31,12 @@ class ProgressBar {
   std::mutex mutex_;
 };
 
-/// Lines on stderr, for as long as it lives, that a command is at work: after ten seconds and then once a minute. On a
-/// terminal there are none.
+/// During its lifetime, prints lines on stderr that a command is at work: after ten seconds and then once a minute.
+/// Prints nothing on a terminal.
 class AtWork {
  public:
-  /// Given  waits  before the first line and between others
+  /// Given  first   wait before the first line
+  ///        others  wait between later lines
   explicit AtWork(std::string command, std::chrono::milliseconds first = std::chrono::seconds(10),
                   std::chrono::milliseconds others = std::chrono::minutes(1));
   ~AtWork();
@@ -43,7 +44,7 @@ class AtWork {
   AtWork& operator=(const AtWork&) = delete;
 
  private:
-  /// Asks for no memory before there is something to say: a thread's first would take 64 MB of addresses.
+  /// Allocates no memory before there is something to print: a thread's first allocation reserves 64 MB of addresses.
   void say(std::chrono::milliseconds first, std::chrono::milliseconds others);
 
   std::string command_;

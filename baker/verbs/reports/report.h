@@ -12,10 +12,10 @@
 
 namespace coppermoon::verbs {
 
-/// Recipe as JSON.
+/// A recipe in TOML as a JSON object.
 nlohmann::ordered_json as_json(const std::string& recipe);
 
-/// Describes the files that a command made: `file` of one, `files` of several.
+/// Describes the files that a command made: as `file` if there is one, as `files` if there are several.
 template <class Field>
 void describe_files(Field&& is, const std::vector<std::string>& files) {
   const bool one = files.size() == 1;
@@ -25,7 +25,7 @@ void describe_files(Field&& is, const std::vector<std::string>& files) {
      "the files, where there are several");
 }
 
-/// Report of a command that made files.
+/// Report by a command that made files.
 struct Report {
   std::vector<std::string> files;
   std::string recipe;
@@ -44,7 +44,7 @@ void describe(Field&& is, const Report& made) {
   is("reached", plan::Cost{made.seconds, made.relative_error}, "what was reached");
 }
 
-/// File that was made of a moment, with its figures.
+/// A file that was made for one moment, with its figures.
 template <class Figures>
 struct MadeOf {
   std::string file;
@@ -63,7 +63,7 @@ void describe(Field&& is, const MadeOf<Figures>& made) {
 /// Seconds since a time.
 double seconds_since(std::chrono::steady_clock::time_point start);
 
-/// Prints a report on stdout: one line, or one JSON document.
+/// Prints a report on stdout, as one line or as a JSON document.
 void report(const Report& made, bool json);
 
 }  // namespace coppermoon::verbs

@@ -17,17 +17,17 @@
 
 namespace coppermoon::verbs {
 
-/// Format of a file that a command makes of a result.
+/// Format in which a command writes a result to a file.
 template <class Result>
 struct Writer : files::Ending {
   std::function<void(const Result&, const std::filesystem::path&)> write;
 };
 
-/// Formats of a command's files, as its help lists them.
+/// Formats in which a command can write its result, in the order of its help.
 template <class Result>
 using Writers = std::vector<Writer<Result>>;
 
-/// Writer of a text: a table.
+/// Writer for results that become a text, such as a table.
 template <class Result>
 Writer<Result> writer_of(files::Ending ending, std::string (*text)(const Result&)) {
   return {std::move(ending), [text](const Result& result, const std::filesystem::path& file) {
@@ -35,7 +35,7 @@ Writer<Result> writer_of(files::Ending ending, std::string (*text)(const Result&
           }};
 }
 
-/// Writer of a document.
+/// Writer for results that become a JSON document.
 template <class Result>
 Writer<Result> writer_of(files::Ending ending, result::Json (*document)(const Result&)) {
   return {std::move(ending), [document](const Result& result, const std::filesystem::path& file) {
@@ -43,10 +43,10 @@ Writer<Result> writer_of(files::Ending ending, result::Json (*document)(const Re
           }};
 }
 
-/// Prints a document on stdout, with the names of files that were written beside.
+/// Prints a document on stdout, together with the names of files that were also written.
 void print_json(result::Json document, const std::vector<std::string>& files = {});
 
-/// Adds -o: files of a result, whose endings choose their writers.
+/// Adds -o, which names files for the result. Their endings determine the formats.
 template <class Result>
 void add_outputs(Verb& verb, std::vector<std::string>& names, const Writers<Result>& writers) {
   add_flag(verb, "-o,--output", names,
@@ -54,9 +54,9 @@ void add_outputs(Verb& verb, std::vector<std::string>& names, const Writers<Resu
       .writes_file(writers);
 }
 
-/// Refuses files that cannot be written, before the work for them.
+/// Refuses files that cannot be written, before the work for them begins.
 ///
-/// Given   what  they hold, as "a night"
+/// Given   what  what the files hold, such as "a night"
 /// Throws  algebra::Error  as files::format_of and files::require_place_for
 template <class Result>
 void require_writers(const std::vector<std::string>& names, const Writers<Result>& writers,
@@ -67,7 +67,7 @@ void require_writers(const std::vector<std::string>& names, const Writers<Result
   }
 }
 
-/// Throws  algebra::Error  as the writers
+/// Throws  algebra::Error  as the writers do
 template <class Result>
 void write_files(const Result& result, const std::vector<std::string>& names,
                  const Writers<Result>& writers) {
@@ -75,10 +75,10 @@ void write_files(const Result& result, const std::vector<std::string>& names,
     files::format_of(file, writers, "a file").write(result, file);
 }
 
-/// Whether one of the files has that ending.
+/// Whether one of the files has a certain ending.
 bool has_ending(const std::vector<std::string>& names, std::string_view ending);
 
-/// Prints the names of files below a table.
+/// Prints the names of the files that were written, below a table.
 void print_names(const std::vector<std::string>& names);
 
 /// The present moment.

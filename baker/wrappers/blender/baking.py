@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Baking of a Moon's textures by the program, and the scene built from them."""
+"""Has the program bake a Moon's textures, and builds the scene from them."""
 import hashlib
 import json
 import os
@@ -9,13 +9,13 @@ from .texture import Texture, second_of_day, textures_of
 
 
 class Baked:
-    """Textures in the order of their frames, the light of each disc, and contacts by name.
+    """What a bake yields: textures in the order of their frames, the light of each disc, and contacts by name.
 
     Given  contacts  moments in UTC
-           shaded    shader of the film and textures of the sunlit Moon, where the textures are in little
-           measured  illuminance by path, as far as it is known already
-           skies     of the textures, where a place sees them
-           domes     files of the night sky, one for each texture, where they are asked for
+           shaded    shader of the film and textures of the sunlit Moon, if the film's own textures are small
+           measured  illuminance by texture path, as far as it is already known
+           skies     the sky of each texture, if there is an observer's place
+           domes     files of the night sky, one for each texture, if requested
     """
 
     def __init__(self, textures, contacts=None, measured=None, shaded=None):
@@ -29,18 +29,18 @@ def light_of(texture):
 
 
 def parts_of(contacts, textures):
-    """Contacts between the first texture and the last, each with its share of that time, which is less than a day."""
+    """Contacts between the first texture and the last, each as a fraction of the time between, which is under a day."""
     if not contacts:
         return {}
     first = textures[0].second()
     length = (textures[-1].second() - first) % 86400
-    # A header has whole seconds: the first and the last contact may be half of one outside.
+    # Headers have whole seconds, so the first and the last contact may lie half a second outside.
     since = {name: (second_of_day(moment) - first + 1) % 86400 - 1 for name, moment in contacts.items()}
     return {name: min(max(s / length, 0), 1) for name, s in since.items() if length and s <= length + 1}
 
 
 def eclipses(first, last):
-    """Yields as `program.run`; returns the almanac's eclipses between two moments."""
+    """Yields like `program.run`, and returns the almanac's eclipses between two moments."""
     return json.loads("".join((yield from program.run(["almanac", "--json", f"--from={first}", f"--to={last}"]))))
 
 
@@ -55,7 +55,7 @@ def bake_moment(wanted):
 
 
 def bake_shader(wanted, textures):
-    """Shader of a film's eclipse, and textures of the sunlit Moon in its first and last frame."""
+    """Bakes the shader for a film's eclipse, and textures of the sunlit Moon for its first and last frame."""
     day = values.day_of(wanted)
     words = ["shader", f"--eclipse={day}", *values.light_options(wanted)]
     folder = film_folder(day, words)
@@ -68,16 +68,16 @@ def bake_shader(wanted, textures):
 
 
 def film_folder(day, words):
-    """Folder of a film, named by what the film is made from."""
+    """The folder for a film, with a name derived from the options that the film is made with."""
     name = hashlib.sha256("\n".join(words).encode()).hexdigest()[:12]
     return os.path.join(preferences.texture_folder(), f"{day}_{name}")
 
 
 def film_words(wanted):
-    """Command for the textures of a film, in little where a shader draws it, and for small frames that hold exposures."""
+    """Command for a film's textures, small ones if a shader draws the film, and for small frames with the exposures."""
     words = ["animate", f"--eclipse={values.day_of(wanted)}", *values.options(wanted), *values.span(wanted),
              f"--frames={wanted.frames}", "--make=textures,frames", "--width=64", "--height=64", "--stars=off"]
-    if not (wanted.in_sky and wanted.night):  # a world without that night's sky
+    if not (wanted.in_sky and wanted.night):  # the world has no night sky
         words.append("--sky=off")
     return [*words, f"--texture-width={min(wanted.texture_width, 2 * moonlight.ROWS)}"] if wanted.shader else words
 
@@ -90,7 +90,7 @@ def bake_film(wanted):
     words = film_words(wanted)
     folder = film_folder(day, words)
     os.makedirs(folder, exist_ok=True)
-    measured = {}  # while textures come, so that the end takes no time
+    measured = {}  # measured as textures come, so that no time is lost at the end
 
     def take(line):
         for file in json.loads(line).get("files", ())[:1]:
@@ -124,7 +124,7 @@ def bake(wanted):
 
 
 def show(of_moon, baked):
-    """Builds Moon, light, observer and scene from these textures."""
+    """Builds the Moon, its light, the observer and the scene from baked textures."""
     wanted = of_moon.coppermoon
     material = of_moon.material_slots[0].material
     if baked.shaded:
@@ -155,7 +155,7 @@ def show(of_moon, baked):
 
 
 def new_eclipse(context, own_scene, in_sky=False):
-    """Adds a Moon that does not shine yet, and its light; in a scene of its own also an observer, in a sky stars."""
+    """Adds a Moon that does not shine yet, and its light; to a scene of its own also an observer, to a sky stars."""
     scene = film.new_scene() if own_scene else context.scene
     of_moon = moon.new_moon(scene)
     wanted = of_moon.coppermoon

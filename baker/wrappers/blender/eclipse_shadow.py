@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Node group "Eclipse shadow": light on the Moon over full sunlight at a place and a time, from a strip and the steps of
-a formula that `coppermoon shader` writes into eclipse.json."""
+"""Node group "Eclipse shadow": the ratio of the light on the Moon to full sunlight, at a place and a time. It comes
+from a strip image and the steps of a formula, which `coppermoon shader` writes into eclipse.json."""
 import json
 import os
 
@@ -13,7 +13,7 @@ from .texture import second_of_day
 from .wrong import Wrong
 
 NAME = "Eclipse shadow"
-# Blender's name of an operation, and numpy's function.
+# Blender's name for each operation, and NumPy's function.
 MATHS = {"add": ("ADD", numpy.add), "subtract": ("SUBTRACT", numpy.subtract), "multiply": ("MULTIPLY", numpy.multiply),
          "divide": ("DIVIDE", numpy.divide), "min": ("MINIMUM", numpy.minimum), "sqrt": ("SQRT", numpy.sqrt),
          "atan2": ("ARCTAN2", numpy.arctan2), "floor": ("FLOOR", numpy.floor)}
@@ -24,7 +24,7 @@ FUNCTIONS = {"clamp": lambda a: numpy.clip(a, 0, 1), "mix": lambda a, b, share: 
 
 
 class Shader:
-    """Folder of `coppermoon shader`."""
+    """The shader in a folder that `coppermoon shader` has made."""
 
     def __init__(self, folder):
         path = os.path.join(folder, "eclipse.json")
@@ -40,7 +40,7 @@ class Shader:
         self.texels = None
 
     def time(self, texture):
-        """Seconds from greatest eclipse to a texture's moment, at most half a day."""
+        """Seconds from greatest eclipse to a texture's moment, half a day at most in either direction."""
         return (texture.second() - self.greatest + 43200) % 86400 - 43200
 
     def image(self):
@@ -49,7 +49,7 @@ class Shader:
         return image
 
     def texel(self, u, v):
-        """Texels between straight lines, v from the image's top."""
+        """Texels, linearly interpolated; v counts from the top of the image."""
         if self.texels is None:
             image = self.image()
             width, height = image.size
@@ -64,7 +64,7 @@ class Shader:
         return above * (1 - down) + (self.texels[j + 1, i] * (1 - right) + self.texels[j + 1, i + 1] * right) * down
 
     def light(self, places, time):
-        """Light over sunlight, [place][channel].
+        """The ratio of light to full sunlight, [place][channel].
 
         Given  places  [place][axis], Moon-fixed
                time    seconds from greatest eclipse
@@ -80,7 +80,7 @@ class Shader:
 
 
 class Builder:
-    """Nodes of the formula's steps in a group."""
+    """Builds the nodes for the formula's steps in a group."""
 
     def __init__(self, group, shader):
         self.group, self.shader = group, shader
@@ -129,7 +129,7 @@ class Builder:
 
 
 def add_sockets(group):
-    """Place and Time come in, Light goes out."""
+    """Gives a group the inputs Place and Time and the output Light."""
     sockets = (("Place", "INPUT", "NodeSocketVector"), ("Time", "INPUT", "NodeSocketFloat"),
                ("Light", "OUTPUT", "NodeSocketColor"))
     for name, way, kind in sockets:
@@ -140,7 +140,7 @@ def add_sockets(group):
 
 
 def new_group(shader):
-    """Node group of a shader: place (Moon-fixed, of any length) and time (seconds from greatest eclipse) in."""
+    """Node group for a shader. Its inputs: place (Moon-fixed, any length) and time (seconds from greatest eclipse)."""
     group = bpy.data.node_groups.new(NAME, "ShaderNodeTree")
     add_sockets(group)
     builder = Builder(group, shader)
@@ -151,7 +151,7 @@ def new_group(shader):
 
 
 def drive(owner, path, first, last):
-    """Has a property follow the scene's frame along a straight line.
+    """Makes a property change linearly with the scene's frame.
 
     Given  first, last  (frame, value)
     """
@@ -163,7 +163,7 @@ def drive(owner, path, first, last):
 
 
 def unshadow(material):
-    """Has a material show its image texture alone."""
+    """Makes a material show its image texture alone."""
     tree = material.node_tree
     ours = [node for node in tree.nodes if node.name.startswith(NAME)]
     for node in ours:
@@ -176,11 +176,11 @@ def unshadow(material):
 
 
 def shadow_nodes(material, shader, textures, later):
-    """Multiplies a material's image texture, the sunlit Moon, by the light of a shader, in each frame at its time.
+    """Multiplies a material's image texture, the sunlit Moon, by a shader's light at the time of each frame.
 
-    Given  later  image of the sunlit Moon in the last frame, to which that of the first gives way
+    Given  later  image of the sunlit Moon in the last frame, into which the first frame's image is blended
 
-    Returned  socket of a colour that is multiplied too
+    Returned  socket for one more colour to multiply by
     """
     unshadow(material)
     tree = material.node_tree
@@ -211,11 +211,11 @@ def shadow_nodes(material, shader, textures, later):
 
 
 def shade(material, shader, sunlit, textures, lights):
-    """Has a material show a film by a shader, as bright in each frame as its texture is.
+    """Makes a material show a film with a shader, as bright in each frame as the frame's texture.
 
     Given  sunlit    textures of the sunlit Moon in the first and in the last frame; the first is in the material
-           textures  of the film, in little, with the observer of each frame
-           lights    illuminance by channel [lux], of each texture
+           textures  small textures of the film, with each frame's observer
+           lights    illuminance by channel [lux], for each texture
     """
     factor = shadow_nodes(material, shader, textures, moon.image_of(sunlit[1]))
     before, after = (moonlight.shrunk(one) for one in sunlit)

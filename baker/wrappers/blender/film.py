@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Scene of an eclipse: black sky, time line, settings of rendering and view."""
+"""The scene of an eclipse: black sky, time line, and the settings for rendering and view."""
 import math
 import os
 
@@ -10,14 +10,14 @@ from .moon import first_known
 from .nodes import first
 from .texture import header_of, key
 
-VIEWS = ("Hue-preserving", "Un-tone-mapped", "Standard")  # in our configuration, in ACES', in Blender's
-MEAN = 0.25  # of the disc's strongest channel, after exposure: nothing clips
+VIEWS = ("Hue-preserving", "Un-tone-mapped", "Standard")  # in our own configuration, in the ACES one, in Blender's
+MEAN = 0.25  # mean of the disc's strongest channel after exposure, so that nothing clips
 
 
 def black_world():
     world = bpy.data.worlds.new("Black")
     world.color = (0, 0, 0)
-    if world.node_tree:  # of Blender 5: grey when new
+    if world.node_tree:  # in Blender 5 a new world is grey
         first(world.node_tree, "BACKGROUND").inputs["Color"].default_value = (0, 0, 0, 1)
     return world
 
@@ -30,14 +30,14 @@ def new_scene():
 
 
 def users_device():
-    """Device of Cycles that the user's preferences choose, for a scene."""
+    """The device that the user's preferences choose for Cycles, as a scene's setting."""
     cycles = bpy.context.preferences.addons.get("cycles")
     kind = getattr(cycles.preferences, "compute_device_type", "NONE") if cycles else "NONE"
     return "CPU" if kind == "NONE" else "GPU"
 
 
 def set_render(scene):
-    """Sets rendering: each pixel is the mean of its area, in cd/m² in OpenEXR."""
+    """Sets up rendering to OpenEXR in cd/m², with each pixel the mean over its area."""
     scene.render.engine = "CYCLES"
     cycles = scene.cycles
     cycles.device = users_device()
@@ -56,7 +56,7 @@ def set_render(scene):
 def set_time(scene, textures, parts, wanted):
     """Sets the time line from the first texture to the last, with a marker at each contact.
 
-    Given  parts   by name of the contact, the part of the time from the first to the last texture
+    Given  parts   for each contact's name, its fraction of the time from the first to the last texture
            wanted  the Moon's values
     """
     for name in ("P1", "U1", "U2", "U3", "U4", "P4"):
@@ -77,7 +77,7 @@ def set_time(scene, textures, parts, wanted):
 
 
 def remove_curve(owner, path):
-    """Removes all keys of a property; in Blender 4.4 and later an action has curves by slot."""
+    """Removes all keyframes of a property. From Blender 4.4 on, an action keeps its curves by slot."""
     animation = owner.animation_data
     action = animation.action if animation else None
     if not action:
@@ -91,22 +91,22 @@ def remove_curve(owner, path):
 
 
 def exposure(texture, lux):
-    """Exposure of the view [stops] at a texture's moment: that of the film's frame beside it, which the program chose;
-    where there is none, by the disc's mean. None: the disc is dark.
+    """Exposure of the view [stops] at a texture's moment. It is what the program chose for the film's frame beside the
+    texture or, if there is no frame, follows from the disc's mean. None if the disc is dark.
     """
     folder, name = os.path.split(texture.path)
     frame = os.path.join(folder, name.replace("moon_", "frame_", 1))
     shot = header_of(frame) if name.startswith("moon_") and os.path.exists(frame) else {}
     if "expTime" in shot:
         return math.log2(0.65 * shot["expTime"] * shot["isoSpeed"] / (78 * shot["aperture"] ** 2))  # ISO 12232
-    strongest = max(lux) * texture.distance ** 2 / math.pi  # cd/m², over the disc
+    strongest = max(lux) * texture.distance ** 2 / math.pi  # cd/m², mean over the disc
     return math.log2(MEAN / strongest) if strongest > 0 else None
 
 
 def set_exposure(scene, textures, lights):
-    """Has the view's exposure follow the light of each frame; a render in OpenEXR keeps cd/m².
+    """Makes the view's exposure follow the light of each frame. A render in OpenEXR stays in cd/m².
 
-    Given  lights  illuminance by channel [lux], of each texture
+    Given  lights  illuminance by channel [lux], for each texture
     """
     path = "view_settings.exposure"
     remove_curve(scene, path)

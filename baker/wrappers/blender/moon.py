@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The Moon: a sphere that shines by its texture alone, 1 cd/m² of it as radiance 1."""
+"""The Moon: a sphere that shines with its texture alone, where 1 cd/m² becomes a radiance of 1."""
 import math
 
 import bpy
@@ -8,15 +8,15 @@ from .nodes import add, emptied, first, show
 from .texture import COLOUR_SPACES
 from .wrong import Wrong
 
-# Corners of the limb. A polygon of n corners falls short of the circle by 1 - cos(pi / n) of the radius at most: for
-# 512 by 1.9e-5, a fiftieth of a pixel in a disc 2000 pixels wide. Far from the limb that the Earth sees, 90 degrees
-# from the middle and at most 10 more or less, a fourth of the meridians does.
+# Corners of the limb. A polygon with n corners falls short of the circle by at most 1 - cos(pi / n) of the radius: for
+# 512 corners 1.9e-5, a fiftieth of a pixel in a disc 2000 pixels wide. The limb seen from the Earth is 80 to 100
+# degrees from the middle; elsewhere a quarter of the meridians is enough.
 SEGMENTS, RINGS = 512, 256
 MERIDIANS = [i for i in range(SEGMENTS + 1) if abs(abs(i - SEGMENTS // 2) - SEGMENTS // 4) < SEGMENTS // 32 or i % 4 == 0]
 
 
 def first_known(owner, setting, names):
-    """Sets a property that Blender has under one of several names."""
+    """Sets a property to the first of several names that Blender knows."""
     for name in names:
         try:
             setattr(owner, setting, name)
@@ -27,12 +27,12 @@ def first_known(owner, setting, names):
 
 
 def set_colours(image, texture):
-    """Sets the colour space of an image to that of the texture."""
+    """Sets an image's colour space to that of its texture."""
     first_known(image.colorspace_settings, "name", COLOUR_SPACES[texture.colour_space])
 
 
 def new_mesh():
-    """Sphere with UV in plate carrée: longitude 0 in the middle, east to the right, north up."""
+    """A sphere with UV coordinates in plate carrée: longitude 0 in the middle, east to the right, north up."""
     across, up = MERIDIANS, range(RINGS + 1)
     uv = [(i / SEGMENTS, j / RINGS) for j in up for i in across]
     angles = [(math.tau * (u - 0.5), math.pi * (v - 0.5)) for u, v in uv]
@@ -50,8 +50,8 @@ def new_mesh():
 
 
 def keep_from_sampling(material):
-    """Has Cycles send no rays to the sphere to find light: the lamp lights the scene. Else the lamp, dimmer than the
-    sphere seems, is chosen too seldom, and what it lights is noisy."""
+    """Keeps Cycles from sampling the sphere as a light, since the lamp lights the scene. Otherwise Cycles would choose
+    the lamp, which seems dimmer than the sphere, too seldom, and whatever it lights would be noisy."""
     cycles = getattr(material, "cycles", None)
     if hasattr(cycles, "emission_sampling"):
         cycles.emission_sampling = "NONE"
@@ -79,7 +79,7 @@ def new_moon(scene):
 
 
 def texture_node(moon):
-    """Node of the Moon's texture."""
+    """The node with the Moon's texture."""
     trees = [slot.material.node_tree for slot in moon.material_slots if slot.material]
     node = next(filter(None, (first(tree, "TEX_IMAGE") for tree in trees if tree)), None)
     if not node:
@@ -88,7 +88,7 @@ def texture_node(moon):
 
 
 def loaded(path, texture, name):
-    """New image, in the colours of a texture."""
+    """Loads an image, in the colour space of a texture."""
     image = bpy.data.images.load(path)
     if min(image.size) == 0:
         bpy.data.images.remove(image)
@@ -101,12 +101,12 @@ def loaded(path, texture, name):
 
 
 def image_of(texture):
-    """New image of a texture, named by its moment."""
+    """Loads a texture as an image, named after its moment."""
     return loaded(texture.path, texture, f"Moon {texture.moment()}".strip())
 
 
 def put_textures(moon, textures):
-    """Has the Moon shine by these textures, in a film by one in each frame."""
+    """Makes the Moon shine with these textures; in a film, with one in each frame."""
     node, image = texture_node(moon), image_of(textures[0])
     if len(textures) > 1:
         image.name += " film"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Moonlight in a scene: a Sun lamp, whose strength is illuminance in lux where radiance is luminance in cd/m²."""
+"""Moonlight in a scene: a Sun lamp. Its strength is an illuminance in lux if radiance is luminance in cd/m²."""
 import math
 
 import bpy
@@ -9,11 +9,11 @@ from .moon import set_colours
 from .observer import axes_of, turn
 from .texture import key
 
-ROWS = 128  # of the texture, shrunk; to 0.2 % of its light
+ROWS = 128  # of the shrunk texture; enough for its light to 0.2 %
 
 
 def shrunk(texture):
-    """Texels of a texture, [row × column][RGB] from the south up, scene-linear."""
+    """The texels of a texture shrunk to ROWS rows: [row × column][RGB], from the south up, scene-linear."""
     image = bpy.data.images.load(texture.path)
     try:
         set_colours(image, texture)
@@ -26,7 +26,7 @@ def shrunk(texture):
 
 
 def places_of_texels():
-    """Unit vectors of the texels of `shrunk`, [row × column][axis], Moon-fixed."""
+    """Unit vectors to the texels of a shrunk texture, [row × column][axis], Moon-fixed."""
     step = numpy.pi / ROWS
     latitude, longitude = numpy.meshgrid(step * (numpy.arange(ROWS) + 0.5) - numpy.pi / 2,
                                          step * (numpy.arange(2 * ROWS) + 0.5) - numpy.pi, indexing="ij")
@@ -36,41 +36,41 @@ def places_of_texels():
 
 
 def illuminance(texels, texture):
-    """Illuminance by channel [lux] of a surface at the observer's place that faces the Moon:
+    """Illuminance by channel [lux] on a surface that faces the Moon at the observer's place:
 
         E = sum L cos e dA / d^2        e: emission angle, d: texel to observer
 
-    Given  texels   L, as `shrunk` has them
-           texture  whose observer it is
+    Given  texels   L, from `shrunk`
+           texture  the texture whose observer is meant
     """
     places = places_of_texels()
     south, east = math.radians(texture.latitude), math.radians(texture.longitude)
     observer = texture.distance * numpy.array([math.cos(south) * math.cos(east), math.cos(south) * math.sin(east),
                                                math.sin(south)])
-    height = places @ observer  # of the observer above the texel's horizon, plus 1
+    height = places @ observer  # the observer's height above the texel's horizon, plus 1
     squared = texture.distance ** 2 + 1 - 2 * height
     area = (math.pi / ROWS) ** 2 * numpy.sqrt(1 - places[:, 2] ** 2)
     weight = area * numpy.maximum(height - 1, 0) / squared ** 1.5
     return [max(0.0, float(value)) for value in weight @ texels]
 
 
-# Luminance of each channel in the spaces that Blender 5 works in, by the Color Interop Forum's names.
+# Luminance of each channel in the working spaces of Blender 5, under the Color Interop Forum's names.
 LUMINANCE = {
     "lin_rec709_scene": (0.2126, 0.7152, 0.0722),
     "lin_rec2020_scene": (0.2627, 0.6780, 0.0593),
-    "lin_ap1_scene": (0.2676, 0.6744, 0.0580),  # adapted from its own white to D65
+    "lin_ap1_scene": (0.2676, 0.6744, 0.0580),  # adapted from its own white point to D65
 }
 
 
 def luminance(colour):
-    """Luminance of a colour in the space that Blender works in: before Blender 5, linear Rec.709."""
+    """Luminance of a colour in Blender's working space, which is linear Rec.709 before Blender 5."""
     space = getattr(getattr(bpy.data, "colorspace", None), "working_space_interop_id", "")
     weights = LUMINANCE.get(space, LUMINANCE["lin_rec709_scene"])
     return sum(weight * channel for weight, channel in zip(weights, colour))
 
 
 def new_lamp(scene, moon):
-    """Lets the sphere be seen, straight and in mirrors, but not light the scene, which the lamp does."""
+    """Adds the lamp. The sphere stays visible, directly and in mirrors, but does not light the scene: the lamp does."""
     lamp = bpy.data.objects.new("Moonlight", bpy.data.lights.new("Moonlight", "SUN"))
     lamp.rotation_mode = "QUATERNION"
     lamp.parent = moon
@@ -81,15 +81,15 @@ def new_lamp(scene, moon):
 
 
 def keep_dim_light(scene):
-    """Ends Cycles' threshold below which light is dropped at random: moonlight is below its default."""
+    """Turns off the threshold below which Cycles drops light at random: moonlight is below its default."""
     if hasattr(scene, "cycles"):
         scene.cycles.light_sampling_threshold = 0
 
 
 def place_lamp(lamp, textures, lights):
-    """Has the lamp shine from the Moon to the observer, as bright as the disc, in each frame of a film.
+    """Makes the lamp shine from the Moon to the observer, as bright as the disc, in each frame of a film.
 
-    Given  lights  illuminance by channel [lux], of each texture
+    Given  lights  illuminance by channel [lux], for each texture
     """
     data = lamp.data
     for owner in (lamp, data):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The night sky as a scene's world: 1 cd/m² of it as radiance 1, north towards +Y, east towards +X."""
+"""The night sky as a scene's world, where 1 cd/m² becomes a radiance of 1. North is towards +Y, east towards +X."""
 import math
 import os
 
@@ -8,11 +8,11 @@ import bpy
 from . import moon, program, values
 from .nodes import add, emptied, first, show
 
-WIDTH = 1024  # of the sky [texels]; stars are a mesh of their own
+WIDTH = 1024  # of the sky [texels]; stars are a separate mesh
 
 
 def file_beside(texture, of_film):
-    """File of a texture's sky: beside it; those of a film in a folder."""
+    """The file for a texture's sky, beside the texture; a film's skies are in a folder."""
     folder, name = os.path.split(texture.path)
     if of_film:
         return os.path.join(folder, "sky", f"sky.{texture.number():04d}.exr")
@@ -20,7 +20,7 @@ def file_beside(texture, of_film):
 
 
 def domes(wanted, textures):
-    """Yields as `program.run`; returns a file for each texture. What is there already is not made again."""
+    """Yields like `program.run`, and returns a sky file for each texture. Existing files are not made again."""
     light = [word for word in values.options(wanted) if not word.startswith("--texture-width")]
     files = []
     for texture in textures:
@@ -36,12 +36,12 @@ def domes(wanted, textures):
 
 
 def sky_texels(tree, place, scale):
-    """Node of the sky's texels in a tree; `place`, a socket, times `scale` is the direction that is looked at."""
+    """Adds a node with the sky's texels to a tree. The socket `place`, times `scale`, is the direction of view."""
     turned = add(tree, "Mapping", {
         "Vector": place,
         "Rotation": (0, 0, -math.pi / 2),  # the image's middle, +X, is north
         "Scale": (scale, scale, scale),
-        # half a texel up: the lowest row of the sky reaches down to the horizon, without a dark edge of the ground's
+        # half a texel up, so that the sky's lowest row reaches the horizon without a dark edge from the ground
         "Location": (0, 0, math.pi / WIDTH)}, (-300, -400))
     return add(tree, "TexEnvironment", {"Vector": turned.outputs["Vector"]}, (0, -400))
 
@@ -57,7 +57,7 @@ def new_world():
 
 
 def texels_before(material):
-    """Node of the sky's texels in the Moon's material: the air before the Moon shines as that beside it."""
+    """Node with the sky's texels in the Moon's material: the air in front of the Moon shines like that beside it."""
     tree = material.node_tree
     if known := first(tree, "TEX_ENVIRONMENT"):
         return known
@@ -72,8 +72,8 @@ def texels_before(material):
 
 
 def put_world(of_moon, textures, files):
-    """Has the scene of the Moon lit by these skies, in a film by one in each frame; each shines before the Moon as well. A
-    world of the user's is kept."""
+    """Lights the Moon's scene with these skies; in a film, one in each frame. Each also shines in front of the Moon.
+    The user's own world is kept."""
     wanted, scene = of_moon.coppermoon, of_moon.users_scene[0]
     if not wanted.world:
         wanted.world = new_world()

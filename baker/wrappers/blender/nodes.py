@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Nodes of a material or a world, made and linked in one step."""
+"""Makes and links nodes of a material or a world in one step."""
 import bpy
 
 
 def add(tree, kind, inputs=(), at=(0, 0), **settings):
-    """New node of a tree.
+    """Adds a node to a tree.
 
     Given  kind    its type, without "ShaderNode"
-           inputs  by name or number: sockets that they are linked to, or values
+           inputs  by name or number: either sockets to link to, or values
     """
     node = tree.nodes.new(kind if kind.startswith("NodeGroup") else f"ShaderNode{kind}")
     node.location = at
@@ -22,12 +22,12 @@ def add(tree, kind, inputs=(), at=(0, 0), **settings):
 
 
 def first(tree, kind):
-    """First node of a type, as "TEX_IMAGE"; None where there is none."""
+    """The first node of a type such as "TEX_IMAGE"; None if there is none."""
     return next((node for node in tree.nodes if node.type == kind), None)
 
 
 def emptied(owner):
-    """Node tree of a new material or world, without nodes."""
+    """The node tree of a new material or world, emptied of its nodes."""
     if owner.node_tree is None:  # before Blender 5
         owner.use_nodes = True
     owner.node_tree.nodes.clear()
@@ -35,7 +35,7 @@ def emptied(owner):
 
 
 def show(node, image, textures):
-    """Has a node show an image; of a film, in each frame of the scene the file of that frame."""
+    """Makes a node show an image or, for a film, in each frame of the scene the file for this frame."""
     before, node.image = node.image, image
     if before and before.users == 0:
         bpy.data.images.remove(before)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Camera of the observer. The Moon has radius 1 and stands at the origin: longitude 0 at +X, 90 east at +Y, north
-at +Z."""
+"""The observer's camera. The Moon has radius 1 and stands at the origin, with longitude 0 at +X, 90 east at +Y and
+north at +Z."""
 import math
 
 import bpy
@@ -11,7 +11,7 @@ from .texture import key
 
 
 def axes_of(texture, up):
-    """Right, up and back (towards the observer) of the camera, each a unit vector."""
+    """The camera's right, up and back (towards the observer) as unit vectors."""
     latitude, longitude = math.radians(texture.latitude), math.radians(texture.longitude)
     east = Vector((-math.sin(longitude), math.cos(longitude), 0))
     back = Vector((math.cos(latitude) * math.cos(longitude),
@@ -26,7 +26,7 @@ def axes_of(texture, up):
 
 
 def turn(thing, axes):
-    """Turns an object so that its X, Y and Z point along these axes, the shorter way from its last rotation."""
+    """Turns an object the shorter way from its last rotation, so that its X, Y and Z point along these axes."""
     turned = Matrix(axes).transposed().to_quaternion()
     turned.make_compatible(thing.rotation_quaternion)
     thing.rotation_quaternion = turned
@@ -41,16 +41,16 @@ def new_camera(scene, moon):
 
 
 def set_lens(data, render, wanted):
-    """Has the shorter side of the picture hold the field, unless the user has chosen another lens since."""
+    """Fits the field into the shorter side of the picture, unless the user has chosen another lens since."""
     wide = render.resolution_x * render.pixel_aspect_x > render.resolution_y * render.pixel_aspect_y
-    # By the focal length: Blender takes no angle below 0.37 degrees.
+    # Set the focal length, since Blender accepts no angle below 0.37 degrees.
     side = data.sensor_height if wide else data.sensor_width
     values.put(wanted, data, anew=values.changed(wanted, "field"),
                sensor_fit="VERTICAL" if wide else "HORIZONTAL", lens=side / 2 / math.tan(wanted.field / 2))
 
 
 def place_camera(camera, textures, wanted, render):
-    """Puts the camera in the observer's place, in each frame of a film.
+    """Puts the camera where the observer is, in each frame of a film.
 
     Given  wanted  the Moon's values
     """

@@ -17,7 +17,7 @@ PAUSE_S = 0.1
 
 
 def result(steps):
-    """Value that a generator returns at its end."""
+    """Runs a generator to its end and gives the value that it returns."""
     while True:
         try:
             next(steps)
@@ -27,7 +27,7 @@ def result(steps):
 
 
 class Running:
-    """Bake under way in the background, one at a time; or None."""
+    """The bake in progress in the background, if any; there is only one at a time."""
     now = None
 
     def __init__(self, moon):
@@ -40,7 +40,7 @@ class Running:
 
 
 def moon_named(name):
-    """Moon of that name: undo makes objects anew, at other addresses."""
+    """The Moon with a name. Moons are kept by name, since undo makes new objects at other addresses."""
     moon = bpy.data.objects.get(name)
     return moon if moon and moon.coppermoon.is_moon else None
 
@@ -53,7 +53,7 @@ def redraw(context):
 
 
 def reported(execute):
-    """Has what is wrong reported: a method `execute` of an operator is cancelled by it."""
+    """Makes an operator's method `execute` report what is wrong, and cancels the operator."""
     def execute_or_cancel(self, context):
         try:
             return execute(self, context) or {"FINISHED"}
@@ -122,7 +122,7 @@ class BakeEclipse(bpy.types.Operator):
         return how
 
     def cancel(self, context):
-        """Ends the program, also when Blender closes."""
+        """Ends the program; also called when Blender closes."""
         context.window_manager.event_timer_remove(self.timer)
         Running.now.steps.close()
         Running.now = None
@@ -142,7 +142,7 @@ class StopBaking(bpy.types.Operator):
         return {"FINISHED"}
 
 
-# List of eclipses, kept here since Blender keeps no reference to what the function returns.
+# The list of eclipses, kept here since Blender holds no reference to what the function returns.
 listed = {}
 
 
@@ -179,7 +179,7 @@ class AddEclipse(values.Values, bpy.types.Operator):
     """Adds an eclipsed Moon: texture, light, camera and time line"""
     bl_idname = "coppermoon.add_eclipse"
     bl_label = "Eclipse"
-    bl_options = {"UNDO"}  # not REGISTER: its values are the Moon's, and are changed in the sidebar
+    bl_options = {"UNDO"}  # not REGISTER: the values belong to the Moon and are changed in the sidebar
 
     own_scene: BoolProperty(
         name="Scene of its own", default=True,

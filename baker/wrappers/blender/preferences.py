@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Preferences: the path of the program, and the folder of its textures."""
+"""Preferences: the path to the program and the folder for its textures."""
 import os
 import shutil
 
@@ -25,13 +25,13 @@ class CoppermoonPreferences(bpy.types.AddonPreferences):
 
 
 def chosen(name):
-    """Value of a preference; empty where the add-on was enabled for one session, by --addons."""
+    """The value of a preference; empty if the add-on was only enabled for one session, with --addons."""
     addon = bpy.context.preferences.addons.get(__package__)
     return bpy.path.abspath(getattr(addon.preferences, name)) if addon else ""
 
 
 def program():
-    """Path of the program."""
+    """The path to the program."""
     name = chosen("program") or "coppermoon"
     path = shutil.which(name)
     if not path:
@@ -40,19 +40,19 @@ def program():
 
 
 def texture_folder():
-    """Folder of baked textures."""
+    """The folder for baked textures."""
     if chosen("textures"):
         return os.path.abspath(chosen("textures"))
     return beside_file() if bpy.data.filepath else cache_folder()
 
 
 def beside_file():
-    """Folder of textures beside the .blend file."""
+    """The folder for textures beside the .blend file."""
     return bpy.path.abspath("//coppermoon")
 
 
 def cache_folder():
-    """Folder of textures until the scene is saved: the cache of OpenImageIO's reader."""
+    """The folder for textures until the scene is saved, which is the cache of OpenImageIO's reader."""
     if os.environ.get("COPPERMOON_CACHE"):
         return os.path.abspath(os.environ["COPPERMOON_CACHE"])
     cache = os.environ.get("XDG_CACHE_HOME", "")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The program coppermoon in the background: its output, progress and errors."""
+"""Runs the program coppermoon in the background, and reads its output, progress and errors."""
 import os
 import re
 import subprocess
@@ -7,12 +7,12 @@ import subprocess
 from . import preferences
 from .wrong import Wrong
 
-BAR = re.compile(r"(\w+) +\[[= ]*\] +(\d+) %")  # as "light        [=====     ]  17 %"
+BAR = re.compile(r"(\w+) +\[[= ]*\] +(\d+) %")  # such as "light        [=====     ]  17 %"
 ESCAPES = re.compile(r"\x1b\[[0-9;]*[A-Za-z]")
 
 
 class Stream:
-    """Text from a file descriptor, as far as it has come."""
+    """The text that has come from a file descriptor so far."""
 
     def __init__(self, descriptor):
         self.descriptor = descriptor
@@ -20,28 +20,28 @@ class Stream:
         os.set_blocking(descriptor, False)
 
     def read(self):
-        """Reads what has come."""
+        """Reads what has come so far."""
         try:
             while some := os.read(self.descriptor, 65536):
                 self.text += some.decode("utf-8", "replace")
-        except OSError:  # nothing yet; or the terminal's end
+        except OSError:  # nothing yet, or the terminal has closed
             pass
 
     def lines(self):
-        """Whole lines that have come, each once."""
+        """The whole lines that have come since the last call."""
         *whole, self.text = re.split(r"[\r\n]+", self.text)
         return [line for line in (ESCAPES.sub("", line).strip() for line in whole) if line]
 
 
 def run(words, take=lambda line: None):
-    """Runs the program, step by step: yields (what, part done) several times a second of the caller's, and returns the
-    lines of stdout. Closing the generator ends the program.
+    """Runs the program step by step: yields (what, part done) whenever the caller asks, several times a second, and
+    returns the lines of stdout. Closing the generator ends the program.
 
     Given   take  called with each line as it comes
-    Throws  Wrong  with the program's last word, where it fails
+    Throws  Wrong  if the program fails, with its last message
     """
     path = preferences.program()
-    ours, theirs = os.openpty()  # it draws its bar on a terminal alone
+    ours, theirs = os.openpty()  # it only draws its progress bar on a terminal
     try:
         process = subprocess.Popen([path, *words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                    stderr=theirs)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Textures of a saved scene, kept in the folder coppermoon beside the .blend file, since a cache may be emptied."""
+"""Keeps a saved scene's textures in the folder coppermoon beside the .blend file, since a cache may be emptied."""
 import os
 import shutil
 import sys
@@ -10,21 +10,21 @@ from . import preferences
 
 
 def name_in_cache(path):
-    """Path below the cache folder; None outside."""
+    """The part of a path below the cache folder; None if it is outside."""
     path = os.path.abspath(bpy.path.abspath(path))
     cache = os.path.join(os.path.abspath(preferences.cache_folder()), "")
     return path.removeprefix(cache) if path.startswith(cache) else None
 
 
 def left_in_cache():
-    """Images of a saved scene whose files stand in the cache."""
+    """The images of a saved scene whose files are still in the cache."""
     if not bpy.data.filepath or name_in_cache(bpy.data.filepath):
         return []
     return [image for image in bpy.data.images if image.filepath and name_in_cache(image.filepath)]
 
 
 def link_or_copy(source, target):
-    """Makes a hard link, which takes no space; a copy where there are no links."""
+    """Makes a hard link, which takes no space, or a copy if links are not possible."""
     try:
         os.link(source, target)
     except OSError:
@@ -33,7 +33,7 @@ def link_or_copy(source, target):
 
 
 def bring(image):
-    """Keeps the image's file, or all of a film's folder, beside the .blend file too."""
+    """Also puts the image's file, or a film's whole folder, beside the .blend file."""
     name = name_in_cache(image.filepath)
     first = name.split(os.sep)[0]
     source, folder = os.path.join(preferences.cache_folder(), first), preferences.beside_file()
@@ -48,7 +48,7 @@ def bring(image):
 
 @bpy.app.handlers.persistent
 def keep_textures(*_):
-    """Handler of a saved scene, whose place is known only then; saves it again."""
+    """Handler called after a scene is saved, since its place is known only then. It saves the scene again."""
     images = left_in_cache()
     try:
         for image in images:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Moon and stars in the sky of a scene of the user's: +X is east, +Y north, +Z up, and the origin the observer."""
+"""Moon and stars in the sky of the user's own scene: +X is east, +Y north, +Z up; the observer is at the origin."""
 import json
 import math
 
@@ -11,21 +11,21 @@ from .nodes import add, emptied
 from .observer import axes_of, turn
 from .texture import MOON_RADIUS_KM, key
 
-NEARER = 1000  # by this the Moon is nearer and smaller than it was: 380 km off, with a radius of 1.7 km
-BEYOND = 1.2  # distance of the stars, over the Moon's
+NEARER = 1000  # how many times nearer and smaller the Moon is than in reality: 380 km off, radius 1.7 km
+BEYOND = 1.2  # ratio of the stars' distance to the Moon's
 NAKED_EYE = 6.5  # magnitude of the faintest star
 NONE = -5  # brighter than any star
 
 
 def direction(place):
-    """Unit vector to a place of the program's [degrees]."""
+    """The unit vector to a place in the sky as the program gives it [degrees]."""
     altitude = math.radians(place["altitude_deg"])
     azimuth = math.radians(place["azimuth_deg"])
     return Vector((math.cos(altitude) * math.sin(azimuth), math.cos(altitude) * math.cos(azimuth), math.sin(altitude)))
 
 
 def skies(wanted, textures):
-    """Yields as `program.run`; returns the program's account of the sky for each texture, the first with its stars."""
+    """Yields like `program.run`; returns the program's account of the sky for each texture, the first with stars."""
     accounts = []
     for texture in textures:
         lines = yield from program.run(["sky", f"--instant={texture.instant()}", f"--at={wanted.place.strip()}",
@@ -35,12 +35,12 @@ def skies(wanted, textures):
 
 
 def scale(scene):
-    """Units of a scene in a lunar radius."""
+    """The number of a scene's units in a lunar radius."""
     return 1000 * MOON_RADIUS_KM / NEARER / scene.unit_settings.scale_length
 
 
 def hang_moon(moon, scene, textures, skies_seen):
-    """Puts the Moon where the observer sees it, as large, and turned as it is seen."""
+    """Puts the Moon where the observer sees it, in its apparent size and orientation."""
     moon.rotation_mode = "QUATERNION"
     moon.scale = [scale(scene)] * 3
     for texture, sky in zip(textures, skies_seen):
@@ -53,7 +53,7 @@ def hang_moon(moon, scene, textures, skies_seen):
 
 
 def star_material():
-    """Light that adds to that of the sky behind."""
+    """A material whose light adds to the light of the sky behind it."""
     material = bpy.data.materials.new("Stars")
     tree = emptied(material)
     light = add(tree, "Attribute", attribute_name="Light")
@@ -64,9 +64,9 @@ def star_material():
 
 
 def star_mesh(stars, distance, side):
-    """A square for each star, which faces the origin.
+    """A mesh with one square for each star, which faces the origin.
 
-    Given  side  angle across it [rad]: the star's illuminance is spread over it
+    Given  side  angle across the square [rad], over which the star's illuminance is spread
     """
     corners, lights = [], []
     for star in stars:
@@ -83,13 +83,13 @@ def star_mesh(stars, distance, side):
 
 
 def pixel(scene):
-    """Angle of a pixel in the middle of the scene's picture [rad]."""
+    """The angle across a pixel in the middle of the scene's picture [rad]."""
     data, render = scene.camera.data, scene.render
     return 2 * math.tan(data.angle / 2) / max(render.resolution_x, render.resolution_y)
 
 
 def hang_stars(stars, scene, textures, skies_seen):
-    """Puts the stars of the first moment behind the Moon; in a film they turn about the pole."""
+    """Puts the first moment's stars behind the Moon. In a film they turn about the celestial pole."""
     side = 2 * pixel(scene) if scene.camera else math.radians(0.05)
     old = stars.data
     stars.data = star_mesh(skies_seen[0]["stars"], BEYOND * scale(scene) * textures[0].distance, side)
@@ -114,7 +114,7 @@ def new_stars(scene):
 
 
 def hang(moon, scene, textures, skies_seen):
-    """Puts Moon and stars into the sky; the scene's camera sees as far."""
+    """Puts the Moon and the stars into the sky, and lets the scene's camera see that far."""
     wanted = moon.coppermoon
     for thing in (moon, wanted.stars):
         thing.animation_data_clear()

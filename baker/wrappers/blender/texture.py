@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Header of a baked texture: the globe and its observer."""
+"""Reads a baked texture's header, which describes the globe and its observer."""
 import os
 import re
 import struct
@@ -8,7 +8,7 @@ from .wrong import Wrong
 
 MOON_RADIUS_KM = 1737.4
 
-# Names of each coppermoon:colour_space in colour/config.ocio, in Blender 4's own configuration, and in Blender 3's.
+# What each coppermoon:colour_space is called in colour/config.ocio, in Blender 4's own configuration, and in 3's.
 COLOUR_SPACES = {
     "lin_rec709": ("Linear Rec.709 (sRGB)", "Linear Rec.709", "Linear"),
     "acescg": ("ACEScg", "Linear ACEScg"),
@@ -16,8 +16,8 @@ COLOUR_SPACES = {
 }
 
 
-# The header of an OpenEXR file: a magic number, a version, then attributes as name, type, size and
-# value, until an empty name.
+# The header of an OpenEXR file has a magic number, a version, and then attributes with name, type, size and value,
+# until an empty name.
 
 
 def text_until_null(file):
@@ -39,7 +39,7 @@ def value_of(kind, data):
 
 
 def header_of(path):
-    """Strings, floats and rationals of an OpenEXR header, by name."""
+    """The strings, floats and rationals in an OpenEXR header, by name."""
     try:
         with open(path, "rb") as file:
             if file.read(4) != struct.pack("<i", 20000630):
@@ -58,7 +58,7 @@ def header_of(path):
 
 
 class Texture:
-    """Baked texture and its observer, in degrees and lunar radii."""
+    """A baked texture and its observer, in degrees and lunar radii."""
 
     def __init__(self, path):
         self.path = os.path.abspath(path)
@@ -82,23 +82,23 @@ class Texture:
         return value
 
     def frame(self):
-        """Frame of the scene that shows it."""
+        """The frame of the scene that shows this texture."""
         return self.number() + self.frames_later
 
     def moment(self):
-        """Its moment in UTC, as 2018-07-27 20:21:45; empty where the header has none."""
+        """The texture's moment in UTC, such as 2018-07-27 20:21:45; empty if the header has none."""
         return self.header.get("capDate", "").replace(":", "-", 2)
 
     def instant(self):
-        """Its moment as the program reads it, as 2018-07-27T20:21:45Z."""
+        """The texture's moment in the form that the program reads, such as 2018-07-27T20:21:45Z."""
         return self.moment().replace(" ", "T") + "Z"
 
     def second(self):
-        """Time of day of its moment [s]."""
+        """The time of day at the texture's moment [s]."""
         return second_of_day(self.header.get("capDate", ""))
 
     def number(self):
-        """Number at the end of the name, as 1 of moon_lin_rec709.0001.exr."""
+        """The number at the end of the file's name, such as 1 for moon_lin_rec709.0001.exr."""
         number = re.search(r"(\d+)\.exr$", self.path)
         if not number:
             raise Wrong(f"{self.path}: its name has no frame number, as .0001.exr")
@@ -106,13 +106,13 @@ class Texture:
 
 
 def key(owner, texture, *paths):
-    """Keys properties in the frame of a film's texture."""
+    """Sets keyframes for properties at the frame of a film's texture."""
     for path in paths if texture.of_film else ():
         owner.keyframe_insert(path, frame=texture.frame())
 
 
 def second_of_day(text):
-    """Time of day [s] of 2018-07-27T19:30:17Z, or of a header's 2018:07:27 19:30:17."""
+    """The time of day [s] in a text such as 2018-07-27T19:30:17Z, or 2018:07:27 19:30:17 from a header."""
     time = re.search(r"[T ](\d+):(\d+):(\d+(?:\.\d+)?)", text)
     if not time:
         raise Wrong(f"{text}: is no moment, as 2018-07-27T19:30:17Z")
@@ -120,14 +120,14 @@ def second_of_day(text):
 
 
 def stem_of(path):
-    """Name before the number, as moon_lin_rec709. of moon_lin_rec709.0001.exr."""
+    """The part of a name before its number, such as moon_lin_rec709. for moon_lin_rec709.0001.exr."""
     return re.sub(r"\d+\.exr$", "", path)
 
 
 def textures_of(path):
-    """Texture of a file, or those of a film's folder in the order of their frames.
+    """The texture in a file, or all textures in a film's folder in the order of their frames.
 
-    Throws  Wrong  where a frame is missing: Blender finds them by their numbers alone, beside the first
+    Throws  Wrong  if a frame is missing, since Blender finds files by number alone, beside the first
     """
     if not os.path.isdir(path):
         return [Texture(path)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Values that an eclipse is made from, which its Moon keeps, and the program's options for them."""
+"""The values that an eclipse is made from, which its Moon keeps, and the program's options for them."""
 import json
 import math
 import os
@@ -36,7 +36,7 @@ def described():
 
 
 def hint(word, meaning):
-    """Meaning of a word in that of its parameter: "clear: air and ozone only; …" or "draft (5 %), …"; empty where none."""
+    """Finds a word's meaning in its parameter's: "clear: air and ozone only; …", "draft (5 %), …". May be empty."""
     found = re.search(rf"\b{re.escape(word)}(?:: ([^;]*)| \(([^)]*)\))", meaning)
     text = found and (found[1] or found[2]) or ""
     return text[:1].upper() + text[1:]
@@ -46,9 +46,9 @@ PARAMETERS = described()
 
 
 def choice(name, parameter, description, first=()):
-    """Property of a parameter that is one of some words.
+    """A property for a parameter whose value is one of several words.
 
-    Given  first  words that come first, in this order: a .blend file holds a word's place, not the word
+    Given  first  words that come first, in this order, since a .blend file stores a word's position, not the word
     """
     known = PARAMETERS[parameter]
     words = [*first, *(word for word in known["words"] if word not in first)]
@@ -57,7 +57,7 @@ def choice(name, parameter, description, first=()):
 
 
 def ends(parameter):
-    """Lowest and highest value of a parameter, for a property."""
+    """The lowest and the highest value of a parameter, as arguments for a property."""
     low, high = PARAMETERS[parameter]["range"]
     return {"min": low, "max": high}
 
@@ -149,10 +149,10 @@ def changed(wanted, name):
 
 
 def put(wanted, owner, anew=False, **settings):
-    """Sets values together, unless the user has changed one of them since they were last set.
+    """Sets values together, unless the user has changed one of them since the last time.
 
     Given     wanted  the Moon's values, which remember what was set
-              anew    whatever the user has changed
+              anew    set the values even if the user has changed them
     Returned  whether they were set
     """
     known = json.loads(wanted.last_set)
@@ -171,17 +171,17 @@ def was_set(wanted, name):
 
 
 def remember(wanted, name):
-    """Makes the present value the one that `changed` compares with."""
+    """Makes the present value the one that `changed` compares against."""
     wanted.last_set = json.dumps(json.loads(wanted.last_set) | {name: getattr(wanted, name)})
 
 
 def has_sky(source):
-    """Whether the Moon of these values hangs in the sky of the user's scene."""
+    """Whether the Moon with these values hangs in the sky of the user's own scene."""
     return bool(source.place.strip() and getattr(source, "stars", not getattr(source, "own_scene", True)))
 
 
 def plain(source):
-    """Copy of the values, since Blender's own are gone after an undo."""
+    """A copy of the values, since Blender's own are gone after an undo."""
     return SimpleNamespace(in_sky=has_sky(source), **{name: getattr(source, name) for name in NAMES})
 
 
@@ -205,7 +205,7 @@ def require_sound(values):
 
 
 def moment(values):
-    """Moment as the program reads it: 2018-07-27 U2+600s."""
+    """The moment in the form that the program reads, such as 2018-07-27 U2+600s."""
     if not is_day(values):
         return values.date.strip()
     if values.contact == "greatest" and values.offset == 0:
@@ -215,7 +215,7 @@ def moment(values):
 
 
 def options(values):
-    """Options of the program for all but the moment; with "=", since a place may begin with a minus."""
+    """The program's options for everything but the moment. They use "=", since a place may begin with a minus."""
     words = [f"--atmosphere={values.air}", f"--quality={values.quality}",
              f"--texture-width={values.texture_width}", f"--space={values.space}"]
     if values.by_danjon:
@@ -226,12 +226,12 @@ def options(values):
 
 
 def light_options(values):
-    """Those of them that change the light in the shadow."""
+    """The program's options that change the light in the shadow."""
     return [word for word in options(values) if not word.startswith(("--texture-width", "--at"))]
 
 
 def span(values):
-    """Options of the program for the first and the last moment of a film."""
+    """The program's options for the first and the last moment of a film."""
     observed = bool(values.place.strip())
     first, last = values.begin.strip() or (observed and "moonrise"), values.end.strip() or (observed and "moonset")
     return [f"--{name}={moment}" for name, moment in (("from", first), ("to", last)) if moment]

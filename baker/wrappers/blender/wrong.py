@@ -1,3 +1,3 @@
 # SPDX-License-Identifier: MIT
 class Wrong(Exception):
-    """Error that the user can put right, in one line."""
+    """An error that the user can put right, described in one line."""

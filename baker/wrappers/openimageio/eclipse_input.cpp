@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// OpenImageIO's reader of eclipses: a recipe with the ending .eclipse is an image, the texture that `coppermoon bake`
-// makes of it. The program bakes it when it is first read, into a folder of textures; what is read afterwards is
-// that file. So nothing of ours runs in the host, and nothing that is wrong with a recipe ends it.
+// OpenImageIO's reader for eclipses. A recipe whose name ends in .eclipse counts as an image: the texture that
+// `coppermoon bake` makes from it. The program bakes the texture into a folder when the recipe is first read; later
+// reads use that file. So the baking never runs inside the host, and a faulty recipe cannot crash it.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/strutil.h>
@@ -31,21 +31,21 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view ending = ".eclipse";
 
-/// Options that may follow a file's name, as moon.eclipse?texture-width=2048&instant=2018-07-27. Others
-/// may not: whoever names a file in a scene must not be able to have another one written.
+/// Options that may follow a file's name, as in moon.eclipse?texture-width=2048&instant=2018-07-27. No others are
+/// allowed: whoever names a file in a scene must not be able to make us write another file.
 constexpr std::array allowed_options{"at",        "instant", "quality", "space", "texture-width",
                                      "tolerance", "type"};
 
-/// A file's name, and the options behind it.
+/// A file's name and the options that follow it.
 struct Request {
   fs::path recipe;
   std::map<std::string, std::string> options;
 };
 
-/// The file that a name begins with, whether or not the options behind it can be read.
+/// The file that a name begins with, even if the options after it cannot be read.
 fs::path file_in(const std::string& name) { return name.substr(0, name.find('?')); }
 
-/// Throws  Error  for options that cannot be read, or that are not allowed
+/// Throws  Error  if an option cannot be read or is not allowed
 Request request_of(const std::string& name) {
   Request request;
   std::string file;
@@ -60,8 +60,7 @@ Request request_of(const std::string& name) {
   return request;
 }
 
-/// The program: beside the folder of this library, as the build has it; where it was installed to; or
-/// what the PATH has.
+/// Finds the program: beside this library's folder, as in the build; where it was installed; or on the PATH.
 std::string program() {
   static const char mine = 0;
   const auto folder = files::file_that_has(&mine).parent_path();
@@ -73,13 +72,13 @@ std::string program() {
   return "coppermoon";
 }
 
-/// The variable that tells the program, and a reader in it, which recipes are being read, one a line: each
-/// is the map of the one before.
+/// The variable that tells the program, and a reader inside it, which recipes are being read, one per line. Each is
+/// used as a map by the one before it.
 constexpr const char* variable_of_recipes = "COPPERMOON_RECIPES_BEING_READ";
 
-/// That list with one more.
+/// The list of recipes being read, with one more recipe.
 ///
-/// Throws  Error  when it is there already
+/// Throws  Error  if the recipe is already in the list
 std::string recipes_read_with(const fs::path& recipe) {
   const std::string before(OIIO::Sysutil::getenv(variable_of_recipes));
   const auto name = fs::weakly_canonical(recipe).string();
@@ -91,9 +90,9 @@ std::string recipes_read_with(const fs::path& recipe) {
   return all;
 }
 
-/// Standard output of a program that bakes.
+/// The standard output of the program as it bakes.
 ///
-/// Throws  Error  as files::output_of; what the program says is wrong, without its name
+/// Throws  Error  like files::output_of; with the program's error message, without the program's name
 std::string said_by(const files::Program& program) {
   try {
     return files::output_of(program);
@@ -103,7 +102,7 @@ std::string said_by(const files::Program& program) {
   }
 }
 
-/// The texture of a recipe, baked unless it was before. Files that a recipe names stand beside it.
+/// The texture for a recipe, baked unless it exists already. Files that a recipe names stand beside the recipe.
 fs::path texture_of(const Request& request) {
   const auto recipe = fs::absolute(request.recipe);
   std::vector<std::string> words{program(), "bake", "--recipe=" + recipe.string(),
@@ -119,8 +118,8 @@ fs::path texture_of(const Request& request) {
   return path;
 }
 
-/// Says on stderr what is wrong with options behind a file's name: oiiotool tries several times, loses what
-/// the reader says of it, and ends with "File does not exist".
+/// Reports on stderr, once, what is wrong with the options after a file's name. oiiotool tries to open it several
+/// times, loses the reader's message and ends with "File does not exist".
 void say_once(const std::string& wrong) {
   static std::mutex alone;
   static std::string last;
@@ -129,7 +128,7 @@ void say_once(const std::string& wrong) {
   std::fputs(fmt::format("coppermoon: {}\n", wrong).c_str(), stderr);
 }
 
-/// Reads the texture of a recipe.
+/// Reads the texture that a recipe describes.
 class EclipseInput final : public OIIO::ImageInput {
  public:
   const char* format_name() const override { return "eclipse"; }
@@ -193,7 +192,7 @@ class EclipseInput final : public OIIO::ImageInput {
   }
 
  private:
-  /// Takes over the texture's error.
+  /// Passes on the error of the texture's own reader.
   bool read(bool done) {
     if (!done) errorfmt("{}", texture_ ? texture_->geterror() : "no eclipse is open");
     return done;
@@ -205,9 +204,8 @@ class EclipseInput final : public OIIO::ImageInput {
 }  // namespace
 }  // namespace coppermoon::wrappers
 
-// By these names OpenImageIO looks for a reader in a library that is called eclipse.imageio.so. It is not called
-// coppermoon: OpenImageIO's writers drop attributes that begin with the name of another format, as
-// coppermoon:recipe would.
+// OpenImageIO looks for these names in a library called eclipse.imageio.so. The format is not called coppermoon, since
+// OpenImageIO's writers drop attributes that begin with the name of another format, as coppermoon:recipe would.
 extern "C" {
 OIIO_EXPORT int eclipse_imageio_version = OIIO_PLUGIN_VERSION;
 OIIO_EXPORT const char* eclipse_imageio_library_version() { return nullptr; }

@@ -18,14 +18,14 @@ bool is_of(py::handle object, const char* package, const char* type) {
   return py::isinstance(object, py::module_::import(package).attr(type));
 }
 
-/// Text of a moment that is a text, a date, or NumPy's datetime64, which is UTC; nothing for others.
+/// The text of a moment given as a text, a date, or NumPy's datetime64, which is UTC; empty for anything else.
 std::optional<std::string> text_of_moment(py::handle moment) {
   if (py::isinstance<py::str>(moment)) return moment.cast<std::string>();
   if (is_of(moment, "datetime", "date") && !is_of(moment, "datetime", "datetime"))
     return moment.attr("isoformat")().cast<std::string>();
   if (!is_of(moment, "numpy", "datetime64")) return std::nullopt;
   const auto text = py::str(moment).cast<std::string>();
-  return text.size() == std::size("2018-07-27T20") - 1 ? text + ":00" : text;  // of whole hours
+  return text.size() == std::size("2018-07-27T20") - 1 ? text + ":00" : text;  // for whole hours
 }
 
 almanac::Instant instant_of_datetime(py::handle moment) {
@@ -71,9 +71,9 @@ py::object datetime_of(const std::string& text) {
   const auto datetime = py::module_::import("datetime");
   const auto at_the_minute =
       datetime.attr("datetime")(year, month, day, hour, minute, py::arg("tzinfo") = utc());
-  return at_the_minute + datetime.attr("timedelta")(
-                             py::arg("seconds") = second,  // 60 in a minute with a leap second
-                             py::arg("milliseconds") = millisecond);
+  return at_the_minute +
+         datetime.attr("timedelta")(py::arg("seconds") = second,  // may be 60, as a leap second
+                                    py::arg("milliseconds") = millisecond);
 }
 
 almanac::Observer observer_of(py::handle place) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Conversion of Python's arguments: moments, places, words, arrays. Sources that take or give one of them include it.
+// Converts Python's arguments: moments, places, words, arrays. Sources that take or return any of them include this.
 #pragma once
 
 #include <fmt/format.h>
@@ -27,19 +27,19 @@ namespace coppermoon::python {
 
 namespace py = pybind11;
 
-/// Moment of an eclipse: a datetime with a time zone, an ISO 8601 text, NumPy's datetime64 (UTC), a day, which stands for
-/// its greatest eclipse, or a day and a contact, moonrise or moonset.
+/// A moment of an eclipse, given as a datetime with a time zone, an ISO 8601 text, NumPy's datetime64 (UTC), a day,
+/// which stands for its greatest eclipse, or a day and a contact, moonrise or moonset.
 struct Moment {
   std::string text;
-  std::optional<almanac::Instant> instant{};  ///< of a datetime, which has no text
+  std::optional<almanac::Instant> instant{};  ///< set for a datetime, which has no text
 
-  /// Throws  Error  as uses::moment_in
+  /// Throws  Error  like uses::moment_in
   almanac::Instant seen_from(const std::optional<almanac::Observer>& observer) const {
     return instant ? *instant : uses::moment_in(text, {observer});
   }
 };
 
-/// End of a search, or its middle: as Moment; but a day alone is its midnight.
+/// An end or the middle of a search, given like a Moment. But a day alone means its midnight.
 struct Date {
   almanac::Instant instant;
 };
@@ -49,37 +49,37 @@ struct Place {
   almanac::Observer observer;
 };
 
-/// Throws  Error       when it is no such moment; datetimes without a time zone are none
-///         type_error  when it is of another type
+/// Throws  Error       if it is not a valid moment; a datetime without a time zone is not
+///         type_error  if it has another type
 almanac::Instant instant_of(py::handle moment);
 Moment moment_of(py::handle moment);
 almanac::Instant instant_of_date(py::handle date);
 
 /// A datetime in UTC, to the millisecond.
 ///
-/// Throws  Error  outside of the years 1 to 9999, which are all that a datetime knows
+/// Throws  Error  outside the years 1 to 9999, the only ones that a datetime can hold
 py::object datetime_of(const almanac::Instant& instant);
 
-/// The same of utc_text's text, with milliseconds.
+/// A datetime from a text by utc_text with milliseconds.
 py::object datetime_of(const std::string& text);
 
-/// Throws  Error  when no city has that name, or a number is outside its range
+/// Throws  Error  if no city has the name, or a number is out of range
 almanac::Observer observer_of(py::handle place);
 
-/// Numbers along one axis.
+/// Reads numbers along one axis.
 ///
-/// Throws  Error       when they have more axes or none
-///         type_error  when they are no numbers
+/// Throws  Error       if the array does not have exactly one axis
+///         type_error  if the values are not numbers
 std::vector<double> numbers_of(const char* what, py::handle numbers);
 
-/// An array by NumPy's protocol `__array__`.
+/// Converts an array as NumPy's protocol `__array__` asks.
 ///
-/// Given   dtype  None: the array's own
-///         copy   true: always; none: where the dtype needs one
-/// Throws  Error  when copy is false and the dtype needs one
+/// Given   dtype  None to keep the array's own
+///         copy   true: always copy; empty: copy if the dtype needs it
+/// Throws  Error  if `copy` is false and the dtype needs a copy
 py::object converted(const py::object& array, const py::object& dtype, std::optional<bool> copy);
 
-/// Words of an enumeration: those of the command's options.
+/// The words for the values of an enumeration, the same as in the command's options.
 template <class Value>
 struct Words;
 
@@ -107,7 +107,7 @@ struct Words<texture::Coding> {
                                   std::pair{"camera", texture::Coding::camera}};
 };
 
-/// Throws  Error  when the word is none of them: names them
+/// Throws  Error  if the word is not one of those allowed; the message lists them
 template <HasWords Value>
 Value value_of(std::string_view word) {
   std::string allowed;
@@ -125,9 +125,9 @@ const char* word_of(Value value) {
   return "none";
 }
 
-/// An array that owns what it is made from: nothing is copied.
+/// An array that owns the object it is made from, so that nothing is copied.
 ///
-/// Given  numbers  whatever has data(), of the shape's size
+/// Given  numbers  anything that has data() or values(), with as many elements as the shape
 template <class Number, class Owner>
 py::array_t<Number> array_of(Owner&& numbers, std::vector<py::ssize_t> shape) {
   auto* kept = new std::remove_cvref_t<Owner>(std::forward<Owner>(numbers));

@@ -11,7 +11,7 @@
 namespace coppermoon::python {
 namespace {
 
-/// A part of a texture, its texels in memory.
+/// A part of a texture with its texels in memory.
 struct Texels {
   std::string name;
   texture::Image image;
@@ -46,7 +46,7 @@ py::array_t<float> array_of_image(texture::Image image) {
   return array_of<float>(std::move(image.values), shape);
 }
 
-/// Rows of a part, some at a time, so that one may stop between them.
+/// Reads the rows of a part a few at a time, so that the work can be stopped in between.
 texture::Image image_of(const texture::Part& part) {
   const auto& layout = part.layout;
   texture::Image image(layout.width, layout.height, layout.channels);

@@ -11,7 +11,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// Exception that ends the work: a plain one, for it crosses threads and libraries that know no Python.
+/// The exception that ends the work. It is not Python's, as it crosses threads and libraries that do not know Python.
 struct Stopped {};
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Work that takes long: other threads of Python run on meanwhile, Ctrl-C ends it, a callback hears of it.
+// Long work: Python's other threads keep running meanwhile, Ctrl-C ends the work, and a callback follows its progress.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -12,19 +12,19 @@
 
 namespace coppermoon::python {
 
-/// Function of Python that hears how far the work is; or none.
+/// A Python function that is told how far the work has come, if there is one.
 using Callback = std::optional<pybind11::function>;
 
-/// Runs work on another thread, without Python's lock. The calling thread looks twenty times a second whether Ctrl-C
-/// was pressed, and tells the callback how far the work is; what either raises ends the work when it next
-/// tells its progress, and is raised then.
+/// Runs work on another thread, without Python's lock. Twenty times a second the calling thread checks whether
+/// Ctrl-C was pressed, and tells the callback how far the work has come. An exception from either ends the work when it
+/// next reports its progress, and is then raised again.
 ///
-/// Throws  what the work throws; error_already_set
+/// Throws  whatever the work throws; error_already_set
 void run(const Callback& callback, const std::function<void(const algebra::Progress&)>& work);
 
-/// Value that a function returns, called through `run`.
+/// Calls a function through `run` and returns its value.
 ///
-/// Given  work  function of an algebra::Progress; must not use Python objects
+/// Given  work  a function that takes an algebra::Progress; it must not use Python objects
 template <class Work>
 auto computed(const Callback& callback, Work&& work) {
   std::optional<decltype(work(algebra::Progress{}))> made;
@@ -32,7 +32,7 @@ auto computed(const Callback& callback, Work&& work) {
   return std::move(*made);
 }
 
-/// Progress of one part of several, of the whole.
+/// Reports the progress of one part of the work, which runs from `from` to `to`, as progress of the whole.
 inline algebra::Progress part_of(const algebra::Progress& whole, double from, double to) {
   return [=](double part) { whole(from + (to - from) * part); };
 }

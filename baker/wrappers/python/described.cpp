@@ -21,11 +21,11 @@ namespace {
 
 using request::Kind, request::Parameter, request::Parameters;
 
-/// Names that Python has other words for.
+/// Parameters that have another name in Python.
 const std::map<std::string, std::string, std::less<>> renamed{
     {"region", "regions"}, {"spectral", "spectral_nm"}, {"texture-width", "width"}};
 
-/// Texts that the stub has an alias for.
+/// Parameters whose type has an alias in the stub.
 const std::map<std::string, std::string, std::less<>> aliases{
     {"space", "Space"}, {"stratospheric-aerosol", "Stratosphere"}};
 
@@ -74,7 +74,7 @@ std::string python_word(std::string word) {
   return word;
 }
 
-/// Annotation of a value of that kind, or of one of the values of a list.
+/// The annotation of a value of some kind, or of one value in a list.
 std::string type_named(result::Kind kind, const result::Field& field) {
   using result::Kind;
   switch (kind) {
@@ -131,7 +131,7 @@ Parameters parameters_of(uses::LightRequest& light) {
   all.add(request::parameter("--tolerance", light.wish.tolerance,
                              "largest relative error of luminance on the disc, 1e-4 to 0.5"))
       .within(1e-4, 0.5)
-      .usual.clear();  // a budget alone has none
+      .usual.clear();  // if only a budget is given, there is no tolerance
   all.add(request::parameter("--budget-s", light.wish.budget_s,
                              "time that the light may take [s], 1e-3 to 1e7"))
       .within(1e-3, 1e7);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Parameters of requests as Python shows them: names, types, values, docstrings. The module and its stub are made from
-// them.
+// How Python shows the parameters of requests: names, types, values, docstrings. The module and its stub are made from
+// these.
 #pragma once
 
 #include <string>
@@ -14,12 +14,12 @@
 
 namespace coppermoon::python {
 
-/// Parameters of a class: Air and Region have those of `uses`, Light also its tolerance and budget as numbers.
+/// The parameters of a class. Air and Region have those described in `uses`; Light also has tolerance and budget.
 request::Parameters parameters_of(uses::Air& air);
 request::Parameters parameters_of(uses::AirRegion& region);
 request::Parameters parameters_of(uses::LightRequest& light);
 
-/// Requests behind the keywords of `bake`, with its defaults.
+/// The requests behind the keywords of `bake`, with their defaults.
 struct TextureKeywords {
   uses::MoonRequest moon{.texture_width = 4096};
   uses::ViewRequest view{};
@@ -27,47 +27,47 @@ struct TextureKeywords {
                                .type = texture::ExrType::floating};
 };
 
-/// Requests behind the keywords of `dome`.
+/// The requests behind the keywords of `dome`.
 struct DomeKeywords {
   TextureKeywords moon{.moon = {}};
   uses::DomeRequest dome{.content = {.space = colour::WorkingSpace::linear_rec709,
                                      .type = texture::ExrType::floating}};
 };
 
-/// Keywords of `bake`, of `brightness`, of `dome` and of `fit`, without those that Python reads as objects: air, light, place.
+/// The keywords of `bake`, `brightness`, `dome` and `fit`, except those passed as objects: air, light, place.
 request::Parameters bake_keywords(TextureKeywords& keywords);
 request::Parameters brightness_keywords(TextureKeywords& keywords);
 request::Parameters dome_keywords(DomeKeywords& keywords);
 request::Parameters fit_keywords(TextureKeywords& keywords);
 
-/// Name in Python: "ozone-du" → "ozone_du".
+/// A parameter's name in Python: "ozone-du" becomes "ozone_du".
 std::string name_of(const request::Parameter& parameter);
 
-/// Whether None stands for no value.
+/// Whether a parameter may be None, which means that it has no value.
 bool may_be_none(const request::Parameter& parameter);
 
-/// Annotation in the stub: "float | None".
+/// A parameter's annotation in the stub, such as "float | None".
 std::string type_of(const request::Parameter& parameter);
 
-/// Value as a Python literal: "None", "True", "280.0", "'standard'", "[Region(cloud_cover=1.0)]".
+/// A parameter's value as a Python literal: "None", "True", "280.0", "'standard'", "[Region(cloud_cover=1.0)]".
 std::string literal_of(const request::Parameter& parameter);
 
-/// Meaning, with the parameters that it mentions by their names in Python.
+/// A parameter's meaning, in which other parameters have their Python names.
 std::string meaning_of(const request::Parameter& parameter);
 
-/// "ozone_du=None, cloud_cover=None": all parameters and their values.
+/// All parameters with their values, such as "ozone_du=None, cloud_cover=None".
 std::string signature_of(const request::Parameters& parameters);
 
 /// A line "name: meaning" for each parameter.
 std::string lines_of(const request::Parameters& parameters);
 
-/// Annotation of a result's property in the stub: "float | None".
+/// The annotation of a result's property in the stub, such as "float | None".
 std::string type_of(const result::Field& field);
 
 /// A line "key: meaning [unit]" for each field.
 std::string lines_of(const result::Fields& fields);
 
-/// "Air(ozone_du=250.0)": the parameters that differ from those of a new request.
+/// A request as text, such as "Air(ozone_du=250.0)": only the parameters that differ from those of a new request.
 template <class Request>
 std::string text_of(const std::string& type, Request request);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parameters of requests as keywords and as fields of Python classes.
+// The parameters of requests, as keywords and as fields of Python classes.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,17 +13,17 @@ namespace coppermoon::python {
 
 namespace py = pybind11;
 
-/// Has parameters take what keywords say of them; warns of those that have no effect beside the others.
+/// Sets parameters from keywords. Warns of keywords that have no effect in combination with the others.
 ///
-/// Given   function  for errors
-/// Throws  type_error  for a keyword that there is not, or a value of another kind
-///         Error       for a value that is not allowed
+/// Given   function    its name, for errors
+/// Throws  type_error  if a keyword is unknown, or a value has the wrong type
+///         Error       if a value is not allowed
 void take(request::Parameters parameters, const std::string& function, const py::dict& keywords);
 
-/// Value of a parameter: a number, a bool, a text, regions, or None.
+/// The value of a parameter as a Python object: a number, a bool, a text, regions, or None.
 py::object value_of(const request::Parameter& parameter);
 
-/// Class of a request: made from keywords, its fields read-only.
+/// Adds the class of a request, which is made from keywords and has read-only fields.
 template <class Request>
 void add_class(py::module_& package, const char* type, const std::string& text) {
   Request fresh;

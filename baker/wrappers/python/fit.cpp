@@ -16,7 +16,7 @@
 
 namespace coppermoon::python {
 
-/// A night, with all numbers of its tone curve and with its light.
+/// Converts a night, with all numbers of its tone curve and with its light.
 template <>
 Told<uses::FittedNight> told(const uses::FittedNight& night) {
   Told<uses::FittedNight> made;
@@ -34,7 +34,7 @@ namespace {
 
 using uses::EclipsePhotograph, uses::FitReport, uses::FittedNight;
 
-/// Measured as tuples of moment, band, magnitude and, if known, its error.
+/// Reads measured magnitudes from tuples of moment, band, magnitude and, if known, the magnitude's error.
 std::vector<uses::MeasuredMagnitude> measured_by(const py::iterable& rows) {
   std::vector<uses::MeasuredMagnitude> all;
   for (const auto& each : rows) {
@@ -62,7 +62,7 @@ std::vector<uses::MeasuredMagnitude> measured_by(const py::iterable& rows) {
   return all;
 }
 
-/// Unknowns by their name; None: those that suit the air.
+/// The unknowns with a given name; None means those that suit the air.
 std::optional<uses::Unknowns> unknowns_named(const std::optional<std::string>& name) {
   if (!name) return std::nullopt;
   if (*name == "factors") return uses::Unknowns::factors;

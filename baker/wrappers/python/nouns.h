@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The package, noun by noun: each adds its classes and functions to the module.
+// The parts of the package. Each function adds the classes and functions of its part to the module.
 #pragma once
 
 #include <pybind11/pybind11.h>

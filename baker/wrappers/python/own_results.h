@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Results that only Python has.
+// Results that exist only in Python.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace coppermoon::python {
 
-/// A sky, with what only arrays can hold.
+/// A sky that also has vectors and a matrix, as arrays.
 struct SkyOfArrays : eclipse::SeenSky {};
 
 inline algebra::Grid<double> grid_of(const glm::dmat3& matrix) {
@@ -36,7 +36,7 @@ void describe(Field&& is, const SkyOfArrays& seen) {
      "matrix from GCRS axes to the Moon's: X to longitude 0, Z north, shape (3, 3)");
 }
 
-/// Light on the Moon of one moment, each wavelength by itself.
+/// The light on the Moon at one moment, for each wavelength separately.
 struct LitSphere {
   almanac::Instant instant;
   plan::Work work;

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Prints where this interpreter finds packages below a prefix, relative to it.
+"""Prints the folder below a prefix where this interpreter finds packages, relative to the prefix.
 
     python3 packages_folder.py PREFIX
 
-Debian's interpreter has folders of its own: lib/python3/dist-packages below /usr, lib/python3.11/dist-packages below
+Debian's interpreter has its own folders: lib/python3/dist-packages below /usr, lib/python3.11/dist-packages below
 /usr/local.
 """
 import sys

@@ -9,7 +9,7 @@
 
 namespace coppermoon::python {
 
-/// Light through some air; without either, as the library has it.
+/// A request for light through some air. If either is not given, the library's default applies.
 inline uses::LightRequest light_request(const std::optional<uses::Air>& air,
                                         const std::optional<uses::LightRequest>& light) {
   auto request = light.value_or(uses::LightRequest{});
@@ -17,7 +17,7 @@ inline uses::LightRequest light_request(const std::optional<uses::Air>& air,
   return request;
 }
 
-/// Has a texture's requests take what Python gave as objects.
+/// Puts the objects that Python has passed into a texture's requests.
 inline void take_objects(TextureKeywords& keywords, const std::optional<uses::Air>& air,
                          const std::optional<uses::LightRequest>& light,
                          const std::optional<Place>& at) {

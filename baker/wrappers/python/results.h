@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Results that describe themselves as classes of Python: properties, docstrings, repr, equality, pickling.
+// Makes Python classes of results that describe themselves: properties, docstrings, repr, equality, pickling.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,18 +14,18 @@
 
 namespace coppermoon::python {
 
-/// A result as Python keeps it: the values that it describes, by their keys. An instant is kept as its text, for a
-/// datetime knows the years 1 to 9999 alone.
+/// A result as Python keeps it: the values that it describes, by their keys. An instant is kept as text, since a
+/// datetime can only hold the years 1 to 9999.
 template <class Result>
 struct Told {
   py::dict values;
 };
 
-/// A result for Python.
+/// Converts a result for Python.
 template <result::Described Result>
 Told<Result> told(const Result& result);
 
-/// A described value as Told keeps it.
+/// Converts a described value to the object that Told keeps.
 template <class Value>
 py::object kept(const Value& value) {
   if constexpr (result::is_a<Value, std::optional>) {
@@ -58,7 +58,7 @@ py::object kept(const Value& value) {
   }
 }
 
-/// Visitor that keeps the values of a description.
+/// A visitor of `describe` that keeps the values it is given.
 struct Keeps {
   py::dict& values;
 
@@ -84,18 +84,18 @@ Told<Result> told(const Result& result) {
   return made;
 }
 
-/// A kept value as a property shows it: of an instant's text its datetime.
+/// A kept value as a property shows it: the text of an instant becomes a datetime.
 ///
-/// Throws  Error  as datetime_of
+/// Throws  Error  like datetime_of
 py::object shown(const result::Field& field, const py::dict& values);
 
-/// "Eclipse(type='total', gamma=0.117)": the values that are not None; arrays by their shape.
+/// A result as text, such as "Eclipse(type='total', gamma=0.117)": the values that are not None; arrays by shape.
 std::string text_of(const std::string& type, const py::dict& values);
 
-/// Whether two kept values are the same; arrays by their bytes, the values of two results in the order of their keys.
+/// Whether two kept values are the same. Arrays are compared by their bytes, results value by value in key order.
 bool are_equal(py::handle a, py::handle b);
 
-/// Class of kept values: a property for each field.
+/// Adds a class for kept values, with a property for each field.
 template <class Kept>
 py::class_<Kept> add_kept(py::module_& package, const result::Fields& fields) {
   py::class_<Kept> made(package, fields.name.c_str(), fields.meaning.c_str());
@@ -116,13 +116,13 @@ py::class_<Kept> add_kept(py::module_& package, const result::Fields& fields) {
   return made;
 }
 
-/// Class of a result that describes itself.
+/// Adds the class of a result that describes itself.
 template <result::Described Result>
 py::class_<Told<Result>> add_result(py::module_& package) {
   return add_kept<Told<Result>>(package, result::fields_of<Result>());
 }
 
-/// Lets NumPy take an object for its array of that key.
+/// Lets NumPy use an object as the array that it keeps under a key.
 template <class Kept>
 void add_array_protocol(py::class_<Kept>& made, const char* key) {
   using namespace py::literals;
@@ -134,7 +134,7 @@ void add_array_protocol(py::class_<Kept>& made, const char* key) {
       "dtype"_a = py::none(), "copy"_a = py::none());
 }
 
-/// A header's values by name.
+/// The values of a header by name.
 inline py::dict header_of(const texture::Attributes& attributes) {
   py::dict header;
   for (const auto& [name, value] : attributes) header[py::str(name)] = value;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes the package's stub: its template, in which a line @NAME@ stands for the parameters of a class or a function.
+// Writes the package's stub from its template, where a line @NAME@ stands for the parameters of a class or function.
 #include <fmt/format.h>
 
 #include <iostream>
@@ -16,7 +16,7 @@
 namespace coppermoon::python {
 namespace {
 
-/// Annotation of an argument: NumPy's numbers and paths are taken too.
+/// The annotation of an argument, which may also be a NumPy number or a path.
 std::string taken_type(const request::Parameter& parameter) {
   auto type = type_of(parameter);
   const auto end = type.find(" |");

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Makes a wheel of a built package, without network: pip installs it where the same libraries are.
+"""Makes a wheel from a built package, without network. pip can install it on systems with the same libraries.
 
     python3 wheel_of.py PACKAGE VERSION FOLDER
 """

@@ -1,37 +1,37 @@
 // SPDX-License-Identifier: MIT
-// Changes of the Earth's air, and the transmittance of the limb's rays in it.
+// Changes to the Earth's air, and the transmittance along the limb rays in it.
 
 /** Air as it was on that day. */
 export const airAsItWas = {
   refraction: true, scattering: true, ozone: true, gases: true, aerosol: true, clouds: true,
   cloud: 1,  // factor on the chance of cloud and on cirrus
   haze: 1,  // factor on the aerosol below the stratosphere
-  dust: null,  // optical depth of the stratosphere's aerosol at 550 nm; null: as it was
+  dust: null,  // optical depth of stratospheric aerosol at 550 nm; null: as it was
   ozoneDu: null,  // column of ozone everywhere; null: as it was
-  clearness: 0,  // share of cloud and aerosol taken away; below 0: depth added to the stratosphere
+  clearness: 0,  // share of cloud and aerosol removed; below 0: optical depth added to the stratosphere
 };
 
-/** Share of cloud and aerosol that the clearness leaves. */
+/** Share of cloud and aerosol left by the clearness. */
 export const remaining = (air) => 1 - Math.max(0, air.clearness);
 
-/** Mean of a number over the parts of the limb. */
+/** Mean of a value over the parts of the limb. */
 export const meanOver = (parts, value) => parts.reduce((total, part) => total + value(part), 0) / parts.length;
 
-/** Air with its clearness turned into cloud, haze and even dust, as sliders show it. */
+/** The air with its clearness converted to cloud, haze and uniform dust, which the sliders can show. */
 export function withoutClearness(air, meanDepth) {
   if (air.clearness === 0) return air;
   return {...air, cloud: air.cloud * remaining(air), haze: air.haze * remaining(air),
     dust: Math.min(2, aerosolDepth({...air, aerosol: true}, {aerosolDepth: meanDepth})), clearness: 0};
 }
 
-/** Optical depth of the stratosphere's aerosol over one part of the limb. */
+/** Optical depth of the stratospheric aerosol over one part of the limb. */
 export function aerosolDepth(air, part) {
   if (!air.aerosol) return 0;
   const asIs = air.dust ?? part.aerosolDepth;
   return asIs * remaining(air) - Math.min(0, air.clearness);
 }
 
-/** Factors on the amounts of the absorbers in one part of the limb, by their groups; 0 of the stratosphere's aerosol, which is apart. */
+/** Factors on the absorbers' amounts in one part of the limb, by group; 0 for stratospheric aerosol, handled apart. */
 export function factors(air, part, groups) {
   const on = (term) => (term ? 1 : 0);
   const all = {
@@ -46,11 +46,11 @@ export function factors(air, part, groups) {
   return groups.map((group) => all[group]);
 }
 
-/** Share of a part of the limb under a deck of cloud. */
+/** Share of a part of the limb that lies under a cloud deck. */
 export const cloudCover = (air, part) =>
   air.clouds ? Math.min(1, part.cloudCover * air.cloud * remaining(air)) : 0;
 
-/** Rays of the limb by wavelength: paths and transmittance. */
+/** Paths and transmittances of the limb's rays, by wavelength. */
 export class LimbRays {
   constructor(facts, arrays) {
     this.limb = facts.limb;
@@ -58,13 +58,13 @@ export class LimbRays {
     this.waves = facts.wavelengths.length;
     this.heights = arrays['limb.heights'].data;
     this.rays = this.heights.length;
-    this.refractivities = arrays['limb.bending'].shape[1];  // the last is that of straight rays
+    this.refractivities = arrays['limb.bending'].shape[1];  // the last has straight rays
     for (const name of ['bending', 'excess', 'amounts', 'spectra', 'aerosol', 'aerosolSpectra', 'recordedSpectra', 'blend'])
       this[name] = arrays[`limb.${name}`].data;
     this.absorbers = facts.limb.absorbers.length;
   }
 
-  /** Weights of the refractivities whose blend is a wavelength's ray. */
+  /** Weights with which the refractivities are blended into the ray at a wavelength. */
   shares(air, wave) {
     const bent = this.refractivities - 1;
     if (!air.refraction) return [...Array(bent).fill(0), 1];
@@ -97,7 +97,7 @@ export class LimbRays {
     return amounts;
   }
 
-  /** Value at an optical depth of aerosol, interpolated in logarithms between steps. */
+  /** Value at an optical depth of aerosol, interpolated between steps in logarithms. */
   betweenSteps(depth, at) {
     const steps = this.limb.aerosolSteps;
     const s = Math.max(0, Math.min(steps.findLastIndex((step) => step <= depth), steps.length - 2));
@@ -106,7 +106,7 @@ export class LimbRays {
     return low > 0 && high > 0 ? low * (high / low) ** between : 0;
   }
 
-  /** Optical depth of the stratosphere's aerosol along a ray. */
+  /** Optical depth of stratospheric aerosol along a ray. */
   aerosolAlong(part, wave, ray, depth) {
     if (depth <= 0) return 0;
     const steps = this.limb.aerosolSteps;
@@ -127,7 +127,7 @@ export class LimbRays {
     const kind = this.parts[part];
     const depth = aerosolDepth(air, kind);
     const asItWas = depth > 0 && depth === kind.aerosolDepth;
-    // clearness scales the month's own profile, as it does in the program; the slider's depth has a usual one
+    // clearness scales the month's own profile, as in the program; the slider uses a standard profile
     const scaled = !asItWas && depth > 0 && air.dust === null && kind.aerosolRecorded && kind.aerosolDepth > 0;
     const weights = factors(air, kind, this.limb.absorbers), stratosphere = this.limb.absorbers.indexOf('stratosphere');
     if (asItWas) weights[stratosphere] = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers of the page: what PageArrays wrote, read back.
+// Reads the page's arrays, which PageArrays wrote.
 
 async function inflated(base64) {
   const binary = atob(base64);
@@ -8,7 +8,7 @@ async function inflated(base64) {
   return new Response(stream).arrayBuffer();
 }
 
-/** Bytes stand as differences from the one before them in their row. */
+/** Decodes bytes that were stored as differences from the previous byte in their row. */
 function summed(bytes, width) {
   const all = new Uint8Array(bytes.length);
   for (let i = 0; i < bytes.length; ++i) all[i] = bytes[i] + (i % width === 0 ? 0 : all[i - 1]);
@@ -16,8 +16,8 @@ function summed(bytes, width) {
 }
 
 /**
- * Given    base64  the text of the arrays;  index: where each stands
- * Returned {name: {shape, data}}, data a Float32Array, a Uint8Array or a string
+ * Given    base64  the arrays as text;  index  where each array is
+ * Returned {name: {shape, data}}, with data a Float32Array, a Uint8Array or a string
  */
 export async function readArrays(base64, index) {
   const buffer = await inflated(base64);
@@ -35,7 +35,7 @@ export async function readArrays(base64, index) {
   return arrays;
 }
 
-/** The rows of a text, each cut at its tabulators. */
+/** The lines of a text, each split at tabs. */
 export function rowsOf(text) {
   return text.trimEnd().split('\n').map((line) => line.split('\t'));
 }

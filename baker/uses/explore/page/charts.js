@@ -4,7 +4,7 @@
 import {darker, stopColours} from './picture.js';
 import {signed} from './words.js';
 
-/** Pen on a canvas that is cleared and scaled to the screen's pixels, and the canvas's size. */
+/** Clears a canvas and scales it to the screen's pixels. Returns its pen and its size. */
 function begun(canvas) {
   const ratio = Math.min(2, window.devicePixelRatio || 1);
   const width = canvas.clientWidth, height = canvas.clientHeight;
@@ -23,7 +23,7 @@ function line(pen, points) {
   pen.stroke();
 }
 
-/** Draws V magnitude over time, brighter above, with the contacts and the moment shown. */
+/** Draws V magnitude against time, brighter towards the top, with the contacts and the current moment. */
 export function drawCurve(canvas, curve, facts, nowMs) {
   const {pen, width, height} = begun(canvas);
   if (curve.length < 2) return;
@@ -46,7 +46,7 @@ export function drawCurve(canvas, curve, facts, nowMs) {
   line(pen, [[x(nowMs), 0], [x(nowMs), height]]);
 }
 
-/** Fills the legend of "stops below a full Moon". */
+/** Fills the legend for "stops below a full Moon". */
 export function fillLegend(legend) {
   const steps = document.createElement('ol');
   stopColours.forEach((colour, i) => {
@@ -66,7 +66,7 @@ function colourOf(nm) {
   return `rgb(${rgb.join(' ')})`;
 }
 
-/** Draws light over full sunlight by wavelength, on a logarithmic scale. */
+/** Draws the ratio of light to full sunlight by wavelength, on a logarithmic scale. */
 export function drawSpectrum(canvas, wavelengths, ratios) {
   const {pen, width, height} = begun(canvas);
   const top = Math.ceil(Math.log10(Math.max(1e-9, ...ratios)) + 0.01), decades = 4, floor = height - 16;
@@ -87,10 +87,10 @@ export function drawSpectrum(canvas, wavelengths, ratios) {
 
 const superscript = (n) => String(n).replace('-', '⁻').replace(/\d/g, (d) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[d]);
 
-/** Code of sRGB, 0 to 255. */
+/** sRGB code of a linear value, 0 to 255. */
 const code = (x) => Math.round(255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * Math.min(1, x) ** (1 / 2.4) - 0.055));
 
-/** Level of the ring that becomes white: the 99th percentile of red. */
+/** Level in the ring that is drawn as white: the 99th percentile of red. */
 function whiteOf(ring) {
   const levels = ring.flatMap((row) => [...row].filter((_, i) => i % 3 === 0)).filter((x) => x > 0);
   levels.sort((a, b) => a - b);
@@ -98,7 +98,7 @@ function whiteOf(ring) {
 }
 
 /**
- * Draws the Earth from the Moon: a black disc in forty kilometres of air, eighty times as thick.
+ * Draws the Earth as seen from the Moon: a black disc in forty kilometres of air, drawn eighty times as thick.
  *
  * Given  ring  Shadow.ring;  heights  of its rays [km]
  */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Starts the page whose numbers stand beside this script.
+// Starts the page with the data beside this script.
 
 import {readArrays} from './arrays.js';
 import style from './page.css';

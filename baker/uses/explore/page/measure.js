@@ -7,7 +7,7 @@ import {luminance} from './vectors.js';
 const samples = 96;  // across the picture that is measured
 const whole = {middle: [0, 0], pixel: 2.04 / samples, width: samples, height: samples};
 
-/** V magnitude and mean luminance [cd/m²] above the air, from the Earth's centre. */
+/** V magnitude and mean luminance [cd/m²] as seen from the Earth's centre, without the observer's air. */
 export function brightness(picture, facts, sky, shadowed = true, table = 'above') {
   const view = viewFrom(sky, null, 'north');
   const pixels = picture.read(sky, view, whole, {shadowed, light: table});
@@ -22,13 +22,13 @@ export function brightness(picture, facts, sky, shadowed = true, table = 'above'
   return {V, luminance: count ? light / count : 0};
 }
 
-/** Exposure by 1 cd/m² in 1 s, over saturation. */
+/** Exposure from 1 cd/m² in 1 s, relative to saturation. */
 export const scaleOfOneSecond = (facts, {iso, fNumber}) => facts.exposureScale * iso / 100 / fNumber ** 2;
 
 /**
- * Exposure time [s] that follows the eclipse: with the air as it was, the cube of the mean cube root of brightest
- * channels comes to a quarter of saturation, as by uses::ExposureTime::Rule::follow, the light of the sky around it counted.
- * Another air so looks brighter or dimmer.
+ * Exposure time [s] that follows the eclipse, as with uses::ExposureTime::Rule::follow: in the air as it was, the cube
+ * of the mean cube root of the brightest channels comes to a quarter of saturation, skylight included. Changes to the
+ * air thus make the picture brighter or dimmer.
  */
 export function followedTime(picture, facts, sky, view, exposure, around = [0, 0, 0]) {
   const pixels = picture.read(sky, view, whole, {light: 'followed'});

@@ -19,7 +19,7 @@ export class Motion {
     this.toMs = facts.fromMs + facts.motion.seconds * 1e3;
   }
 
-  /** Sky at a moment [ms since 1970], held within the time of the series. */
+  /** The sky at a moment [ms since 1970], limited to the time that the series cover. */
   at(ms) {
     const within = Math.min(Math.max(ms, this.fromMs), this.toMs);
     const x = 2 * (within - this.fromMs) / (this.toMs - this.fromMs) - 1;
@@ -34,7 +34,7 @@ export class Motion {
     };
   }
 
-  /** Least and largest depth in the shadow of visible ground, during the eclipse [km]. */
+  /** Least and greatest depth in the shadow that visible ground reaches during the eclipse [km]. */
   depths() {
     const radius = this.facts.moonRadiusKm;
     const depths = [];
@@ -46,7 +46,7 @@ export class Motion {
 
 const equatorial = 6378.137, flattening = 1 / 298.257223563;  // WGS 84
 
-/** Position [km] and vertical of a place on the Earth. */
+/** Position [km] and zenith of a place on the Earth. */
 function placeOnEarth(sky, place) {
   const latitude = place.latitude * degree;
   const longitude = place.longitude * degree + sky.siderealTime;
@@ -65,7 +65,7 @@ export function refraction(altitude) {
   return fades * (1.02 / Math.tan((lowest + 10.3 / (lowest + 5.11)) * degree) + 0.0019279) / 60;
 }
 
-/** Altitude, refraction included and without it, and azimuth from north through east [degrees]. */
+/** Altitude with and without refraction, and azimuth from north through east [degrees]. */
 function horizonPlace(sky, zenith, sight) {
   const pole = times(sky.equatorFrame, [0, 0, 1]);
   const east = unit(cross(pole, zenith)), north = cross(zenith, east);
@@ -77,10 +77,10 @@ function horizonPlace(sky, zenith, sight) {
 /**
  * View of the Moon.
  *
- * Given    place  on the Earth; none: the Earth's centre
- *          up     direction in the picture: 'north', 'zenith' or 'moon'
- * Returned distance [km]; forward, right and up: the picture's axes; of a place altitude, trueAltitude, azimuth and
- *          sunAltitude, which is true [degrees]
+ * Given    place  on the Earth; if absent, the Earth's centre
+ *          up     what is up in the picture: 'north', 'zenith' or 'moon'
+ * Returned distance [km]; forward, right and up: the picture's axes; for a place also altitude, trueAltitude, azimuth
+ *          and sunAltitude [degrees], which is true
  */
 export function viewFrom(sky, place, up) {
   const pole = times(sky.equatorFrame, [0, 0, 1]);
@@ -101,15 +101,15 @@ export function viewFrom(sky, place, up) {
 }
 
 /**
- * Ground at a point of the picture.
+ * Ground seen at a point in the picture.
  *
  * Given    x, y  from the disc's middle to the right and up, in lunar radii at its distance
  * Returned unit vector, shadow's frame; null beside the Moon
  */
 export function groundAt(view, radius, x, y) {
-  const away = radius / view.distance * Math.hypot(x, y);  // tangent of the angle from the middle
+  const away = radius / view.distance * Math.hypot(x, y);  // tangent of the angle from the disc's middle
   const sine = away / Math.sqrt(1 + away * away), cosine = 1 / Math.sqrt(1 + away * away);
-  const nearest = view.distance * sine;  // of the line of sight to the Moon's centre
+  const nearest = view.distance * sine;  // distance between the line of sight and the Moon's centre
   if (nearest >= radius) return null;
   const reach = Math.hypot(x, y) || 1;
   const out = [0, 1, 2].map((i) => (x * view.right[i] + y * view.up[i]) / reach);
@@ -121,7 +121,7 @@ export function groundAt(view, radius, x, y) {
   });
 }
 
-/** Point of the picture at which ground is seen, the inverse of groundAt; null behind the limb. */
+/** Point in the picture at which ground is seen (the inverse of groundAt), or null if it is behind the limb. */
 export function pictureOf(view, radius, ground) {
   const depth = view.distance + radius * dot(ground, view.forward);
   const towards = dot(ground, view.forward);
@@ -130,7 +130,7 @@ export function pictureOf(view, radius, ground) {
   return [dot(ground, view.right) * scale, dot(ground, view.up) * scale];
 }
 
-/** Selenographic longitude and latitude [degrees] of ground. */
+/** Selenographic longitude and latitude of some ground [degrees]. */
 export function selenographic(sky, ground) {
   const [x, y, z] = times(transposed(sky.moonFrame), ground);
   return {longitude: Math.atan2(y, x) / degree, latitude: Math.asin(z) / degree};
@@ -141,7 +141,7 @@ export function groundOf(sky, {longitude, latitude}) {
   return times(sky.moonFrame, direction(longitude * degree, latitude * degree));
 }
 
-/** Place of ground in the shadow: axis distance and depth [km], position angle [rad]. */
+/** Where some ground is in the shadow: axis distance and depth [km], position angle [rad]. */
 export function placeInShadow(sky, radius, ground) {
   const p = sky.centre.map((c, i) => c + radius * ground[i]);
   return {axisDistance: Math.hypot(p[0], p[1]), angle: Math.atan2(p[0], p[1]), depth: p[2]};

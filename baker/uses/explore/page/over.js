@@ -4,14 +4,14 @@
 import {groundOf, pictureOf} from './motion.js';
 import {difference, dot, times} from './vectors.js';
 
-/** Radii of umbra and penumbra at the Moon's distance, of an Earth without air [km]. */
+/** Radii of umbra and penumbra at the Moon's distance, for an Earth without air [km]. */
 export function edges(facts, sky) {
   const depth = sky.centre[2], {equatorialKm} = facts.earth, {radiusKm} = facts.sun;
   const sun = radiusKm * depth / sky.sunDistance, earth = equatorialKm * (1 + depth / sky.sunDistance);
   return {umbra: earth - sun, penumbra: earth + sun};
 }
 
-/** Place in the picture [lunar radii] of a point in the plane through the Moon's centre, across the shadow's axis. */
+/** Position in the picture [lunar radii] of a point in the plane across the shadow's axis at the Moon's centre. */
 function seenAt(facts, sky, view, east, north) {
   const point = difference([east, north, sky.centre[2]], view.position);
   const scale = view.distance / dot(point, view.forward) / facts.moonRadiusKm;
@@ -49,12 +49,12 @@ function drawNorth(pen, {sky, view, frame}) {
   const pole = times(sky.equatorFrame, [0, 0, 1]);
   const north = [dot(pole, view.right), dot(pole, view.up)], size = Math.hypot(...north) || 1;
   const [x, y] = [north[0] / size, north[1] / size], reach = 16 * frame.ratio;
-  const narrow = frame.width < 640 * frame.ratio;  // the title is above there
+  const narrow = frame.width < 640 * frame.ratio;  // the title is at the top there
   const from = narrow ? [40 * frame.ratio, frame.height - 34 * frame.ratio] : [frame.width - 34 * frame.ratio, 40 * frame.ratio];
   pen.strokeStyle = pen.fillStyle = '#888';
   pen.textAlign = 'center';
   pen.textBaseline = 'middle';
-  for (const [name, dx, dy] of [['N', x, y], ['E', -y, x]]) {  // east is left of north, seen from inside
+  for (const [name, dx, dy] of [['N', x, y], ['E', -y, x]]) {  // on the sky, east is left of north
     pen.beginPath();
     pen.moveTo(...from);
     pen.lineTo(from[0] + reach * dx, from[1] - reach * dy);

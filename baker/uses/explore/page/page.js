@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Page of one eclipse: its state, and everything that shows the state.
+// The page for one eclipse: its state, and everything that shows the state.
 
 import {airAsItWas} from './air.js';
 import {rowsOf} from './arrays.js';
@@ -17,10 +17,10 @@ import {direction, degree, luminance, unit} from './vectors.js';
 import {exposureTime, localTime, meanings, number, placeText, signed, utc} from './words.js';
 
 const curveMoments = 72;
-const playedRate = 600;  // seconds of the eclipse in a second of playing
+const playedRate = 600;  // seconds of the eclipse per second of playing
 
 export class Page {
-  /** Given  embedded  whether it stands in another page, whose address and keys it leaves alone */
+  /** Given  embedded  whether it is part of another page, whose address and keys it leaves alone */
   constructor(root, facts, arrays, embedded = false) {
     Object.assign(this, {root, facts, arrays, embedded});
     this.find = (name) => root.querySelector(`.${name}`);
@@ -46,13 +46,13 @@ export class Page {
     this.draw();
   }
 
-  /** Shows a change of the state: 'view', 'look' or 'air'. */
+  /** Shows a change to the state: 'view', 'look' or 'air'. */
   changed(what) {
     if (what === 'air') this.airIsOld = true;
     this.redraw();
   }
 
-  /** Draws with the next frame of the screen. */
+  /** Draws in the screen's next frame. */
   redraw() {
     if (this.waiting) return;
     this.waiting = requestAnimationFrame(() => { this.waiting = 0; this.draw(); });
@@ -69,7 +69,7 @@ export class Page {
     this.curve = null;
   }
 
-  /** Sets the light that the observer sees, and that which the exposure follows: in the air as it was. */
+  /** Sets the light that the observer sees, and the light that the exposure follows, which is in the air as it was. */
   setSeen({trueAltitude}) {
     const {place, reddening, exposure} = this.state, key = [trueAltitude, place?.elevationKm, exposure.rule].join();
     const through = (sightline) => sightline.table(trueAltitude, place.elevationKm ?? 0);
@@ -83,27 +83,27 @@ export class Page {
     this.sightline.shown = place && reddening ? key : null;
   }
 
-  /** Frame of the picture: at zoom 1 the whole Moon with a margin. */
+  /** The picture's frame. At zoom 1 it shows the whole Moon with a margin. */
   frame() {
     const {canvas} = this.picture, ratio = Math.min(2, window.devicePixelRatio || 1);
     const width = Math.max(1, Math.round(canvas.clientWidth * ratio));
     const height = Math.max(1, Math.round(canvas.clientHeight * ratio));
-    canvas.style.touchAction = this.state.zoom > 1 ? 'none' : 'pan-y';  // a finger moves the page, or the Moon
+    canvas.style.touchAction = this.state.zoom > 1 ? 'none' : 'pan-y';  // whether a finger moves the Moon or the page
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
     const pixel = 2.3 / this.state.zoom / Math.min(width, height);
     return {middle: this.state.middle, pixel, width, height, ratio};
   }
 
-  /** Sky, view and frame of the moment shown. */
+  /** Sky, view and frame for the current moment. */
   scene() {
     const sky = this.motion.at(this.state.ms);
     return {sky, view: viewFrom(sky, this.state.place, this.state.up), frame: this.frame()};
   }
 
-  /** Whether air above the observer shines around the Moon: not below the horizon, nor where that air is taken away. */
+  /** Whether the observer's air shines around the Moon. It does not if the Moon has set or that air is switched off. */
   skyIsSeen(view) { return this.state.place && this.state.reddening && view.altitude >= -0.3; }
 
-  /** Draws the Moon at once, and slower drawings once changes pause. */
+  /** Draws the Moon at once, and the slower drawings when changes pause. */
   draw() {
     if (this.picture.gl.isContextLost()) return;
     if (this.airIsOld) this.setAir(this.state.air);
@@ -127,7 +127,7 @@ export class Page {
     if (this.curve) drawCurve(this.find('curve'), this.curve, facts, state.ms);
   }
 
-  /** Shows moment, place and brightness in words. */
+  /** Shows the moment, the place and the brightness in words. */
   say({sky, view}) {
     const {state, facts} = this, {place} = state;
     const local = localTime(state.ms, place?.timeZone, facts);
@@ -151,7 +151,7 @@ export class Page {
     this.find('readout').textContent = this.marked ? this.described(this.marked) : '';
   }
 
-  /** Draws what takes a tenth of a second: the light curve and the marked place. Updates the link. */
+  /** Makes the drawings that take a tenth of a second: the light curve and the marked place. Updates the link. */
   drawBeside() {
     const {facts, motion, picture} = this;
     if (picture.gl.isContextLost()) return;
@@ -173,7 +173,7 @@ export class Page {
     drawRing(this.find('ring'), this.shadow.ring(place, 180), [...this.shadow.rays.heights]);
   }
 
-  /** Selenographic place under the pointer; null beside the Moon. */
+  /** Selenographic place under the pointer, or null beside the Moon. */
   under(event) {
     const {sky, view, frame} = this.scene(), box = this.picture.canvas.getBoundingClientRect();
     const x = (event.clientX - box.left) * frame.ratio - frame.width / 2;
@@ -189,7 +189,7 @@ export class Page {
     this.placeLater = setTimeout(() => this.drawPlace(), 60);
   }
 
-  /** Text about a place: its name, its coordinates, its luminance. */
+  /** Text about a place: its name, coordinates and luminance. */
   described(at) {
     const light = luminance(this.radianceAt([at])[0]);
     const near = this.features.filter((f) => distance(at, f) < f.km / 2 / (this.facts.moonRadiusKm * degree))
@@ -207,7 +207,7 @@ export class Page {
     return places.map((_, i) => [...numbers.subarray(4 * i, 4 * i + 4)]);
   }
 
-  /** Pixel of the canvas that shows a selenographic place; null behind the limb. */
+  /** Pixel on the canvas that shows a selenographic place, or null if it is behind the limb. */
   pixelOf(at) {
     const {sky, view, frame} = this.scene();
     const place = pictureOf(view, this.facts.moonRadiusKm, unit(groundOf(sky, at)));
@@ -215,7 +215,7 @@ export class Page {
       frame.height / 2 - (place[1] - frame.middle[1]) / frame.pixel];
   }
 
-  /** Changes the state as controls do, and draws at once. */
+  /** Changes the state as the controls do, and draws at once. */
   set(change) {
     Object.assign(this.state, change);
     if (change.air) this.airIsOld = true;
@@ -249,7 +249,7 @@ export class Page {
     requestAnimationFrame(step);
   }
 
-  /** Makes a button for each contact, over the time slider. */
+  /** Makes a button for each contact above the time slider. */
   makeMarks() {
     const {contacts} = this.facts, {fromMs, toMs} = this.motion;
     const marks = contacts.map(({name, ms}) => {
@@ -262,7 +262,7 @@ export class Page {
     this.find('marks').replaceChildren(...marks);
   }
 
-  /** Puts each contact into the first row with room for it. */
+  /** Puts each contact in the first row that has room for it. */
   placeMarks() {
     const marks = this.find('marks'), ends = [];
     if (marks.clientWidth === this.marksWidth) return;
@@ -302,8 +302,8 @@ export class Page {
     });
   }
 
-  /** Copies a text, and says so; as browsers of a page without https: let it, by a selection. Where a browser lets the page
-   * copy nothing, the text stays shown, selected. */
+  /** Copies a text and reports it. Pages without https: copy by way of a selection. If the browser forbids copying,
+   * the text stays visible and selected. */
   async copy(text) {
     const field = this.find('to-copy'), before = this.root.activeElement;
     let copied = await navigator.clipboard?.writeText(text).then(() => true, () => false);
@@ -318,7 +318,7 @@ export class Page {
       : 'The browser does not let this page copy. The text is selected: copy it yourself.';
   }
 
-  /** Saves the picture as it is shown, as a PNG file. */
+  /** Saves the current picture as a PNG file. */
   save() {
     this.draw();
     this.picture.canvas.toBlob((blob) => {
@@ -329,7 +329,7 @@ export class Page {
     }, 'image/png');
   }
 
-  /** Doubles the zoom, about the marked place. */
+  /** Doubles the zoom around the marked place. */
   nearer() {
     const {sky, view} = this.scene();
     const place = this.marked && pictureOf(view, this.facts.moonRadiusKm, groundOf(sky, this.marked));
@@ -343,16 +343,16 @@ export class Page {
     this.redraw();
   }
 
-  /** Lets a finger or the mouse move an enlarged Moon, and two fingers enlarge it about the place between them. */
+  /** Lets a finger or the mouse move an enlarged Moon, and lets two fingers zoom around the place between them. */
   pointers(canvas) {
-    const held = new Map();  // pointers by number: [x, y] in the window
-    let from = null;  // middle of the pointers and their distance when their number last changed, and the place there
+    const held = new Map();  // pointers by id: [x, y] in the window
+    let from = null;  // the pointers' middle, distance and place when their number last changed
     const mean = (i) => [...held.values()].reduce((sum, at) => sum + at[i], 0) / held.size;
     const apart = () => {
       const [a, b] = [...held.values()];
       return b ? Math.max(1, Math.hypot(a[0] - b[0], a[1] - b[1])) : 1;
     };
-    const besideMiddle = () => {  // place of the pointers' middle from that of the picture
+    const besideMiddle = () => {  // the pointers' middle, relative to the picture's middle
       const box = canvas.getBoundingClientRect(), {pixel, ratio} = this.frame();
       return [(mean(0) - box.left - box.width / 2) * ratio * pixel, (box.top + box.height / 2 - mean(1)) * ratio * pixel];
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Controls. Each shows a part of the state, and changes it.
+// Controls. Each shows part of the state and can change it.
 
 import {airAsItWas, meanOver, withoutClearness} from './air.js';
 import {rowsOf} from './arrays.js';
@@ -18,7 +18,7 @@ export class Places {
       name, region, latitude: Number(latitude), longitude: Number(longitude), timeZone, elevationKm: metres / 1e3}));
   }
 
-  /** Place of a typed text: a city, or "-1.28, 36.82"; null for another text. */
+  /** Place for a typed text: a city, or coordinates such as "-1.28, 36.82"; null for any other text. */
   named(text) {
     const typed = text.trim().toLowerCase();
     const pair = typed.match(/^(-?[\d.]+)\s*[, ]\s*(-?[\d.]+)$/);
@@ -38,12 +38,12 @@ export class Places {
   }
 }
 
-/** F-numbers and ISO speeds of cameras. */
+/** F-numbers and ISO speeds for typical cameras. */
 const cameras = {
   'Telescope, f/12': [12.1, 800], 'Refractor 80 mm, f/7.5': [7.5, 800], 'Lens 400 mm, f/5.6': [5.6, 800],
   'Lens 200 mm, f/2.8': [2.8, 400], 'Phone, f/1.8': [1.8, 400]};
 
-/** Slider in equal ratios; its left end is 0. */
+/** Logarithmic slider whose left end is 0. */
 function slider({title, meaning, low, high, value, show, set}) {
   const shown = element('output', {textContent: show(value)});
   const ratio = Math.log(high / low);
@@ -63,7 +63,7 @@ const pressed = (button, on) => button.setAttribute('aria-pressed', String(on));
 
 export class Panel {
   /**
-   * Given  root     of the page's elements
+   * Given  root     element that contains the page
    *        changed  called with 'view', 'look' or 'air' after a change of the state
    */
   constructor(root, facts, places, state, changed) {
@@ -71,7 +71,7 @@ export class Panel {
     this.show();
   }
 
-  /** Makes all controls anew from the state. */
+  /** Rebuilds all controls from the state. */
   show() {
     for (const part of ['who', 'exposure', 'air', 'why'])
       this.root.querySelector(`.${part}`).replaceChildren(...this[part]());
@@ -144,12 +144,12 @@ export class Panel {
     this.changed('air');
   }
 
-  /** Air as sliders show it: a step of Danjon's scale as cloud, haze and dust. */
+  /** The air as sliders show it, with a step on Danjon's scale converted to cloud, haze and dust. */
   plainAir() {
     return withoutClearness(this.state.air, this.mean('aerosolDepth'));
   }
 
-  /** Changes the air by a slider, and releases the steps of Danjon's scale. */
+  /** Changes the air from a slider, and deselects any step on Danjon's scale. */
   slide(change) {
     this.setAir({...this.plainAir(), ...change});
     for (const button of this.root.querySelectorAll('.steps button')) pressed(button, false);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Picture of the Moon on a canvas, by WebGL 2 without extensions.
+// Draws the Moon on a canvas with WebGL 2, without extensions.
 
 import shader from './moon.glsl';
 import {degree, transposed} from './vectors.js';
@@ -7,13 +7,13 @@ import {degree, transposed} from './vectors.js';
 const corners = `#version 300 es
 void main() { gl_Position = vec4(vec2(gl_VertexID % 2, gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0); }`;
 
-/** Colours of "stops below a full Moon" in sRGB, one for every two stops; the lower of the two is darker. */
+/** Colours for "stops below a full Moon" in sRGB, one for every two stops; the lower stop is drawn darker. */
 export const stopColours = [
   [1, 1, 1], [1, 0.95, 0.5], [1, 0.75, 0.2], [0.95, 0.45, 0.15], [0.8, 0.2, 0.25],
   [0.6, 0.2, 0.55], [0.35, 0.3, 0.75], [0.2, 0.5, 0.75], [0.15, 0.55, 0.5], [0.2, 0.25, 0.25]];
 export const darker = 0.85;
 
-const widest = 1024;  // longest row of the texture of places
+const widest = 1024;  // longest row in the texture of places
 
 function compiled(gl, kind, text) {
   const part = gl.createShader(kind);
@@ -24,7 +24,7 @@ function compiled(gl, kind, text) {
   return part;
 }
 
-/** Shader program, and a function that sets its uniforms by their names; names of no uniform of it are passed over. */
+/** A shader program, and a function that sets its uniforms by name and ignores names it does not have. */
 function programOf(gl, define) {
   const program = gl.createProgram();
   gl.attachShader(program, compiled(gl, gl.VERTEX_SHADER, corners));
@@ -54,7 +54,7 @@ export class Picture {
     this.build();
   }
 
-  /** Makes all that the graphics card holds; anew after a loss of the context. */
+  /** Creates everything on the graphics card, also again after the context was lost. */
   build() {
     const {gl, facts, arrays} = this;
     this.screen = programOf(gl, '');
@@ -92,8 +92,8 @@ export class Picture {
     return texture;
   }
 
-  /** Sets the light on the Moon (Shadow.table): 'seen' by the observer, 'above' the observer's air, or 'followed' by the
-   * exposure. */
+  /** Sets the light on the Moon (Shadow.table) that is 'seen' by the observer, 'above' the observer's air, or
+   * 'followed' by the exposure. */
   setLight(name, table, shadow) {
     const {gl} = this;
     if (this.tables[name] === table && this.lights[name]) return;
@@ -104,14 +104,14 @@ export class Picture {
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 2 * table.nodes, table.rows, 0, gl.RGBA, gl.FLOAT, table.values);
   }
 
-  /** Binds a texture to a unit of the graphics card; returns the unit. */
+  /** Binds a texture to a texture unit and returns the unit. */
   bound(unit, texture, kind = this.gl.TEXTURE_2D) {
     this.gl.activeTexture(this.gl.TEXTURE0 + unit);
     this.gl.bindTexture(kind, texture);
     return unit;
   }
 
-  /** Sets the uniforms of a program that both programs have. */
+  /** Sets the uniforms that both programs share, in one of them. */
   setUniforms({program, set}, sky, view, frame, {shadowed = true, light = 'seen'} = {}) {
     const {facts, shadow} = this, {map, photometry: law} = facts, {ground} = map, {nodes, sectors, stretches} = this.tables[light];
     const longitudes = (of) => [of.firstLongitude * degree, of.longitudes * degree];
@@ -150,7 +150,7 @@ export class Picture {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
-  /** Radiance in a picture, or at `places`: [pixel × 4], red, green and blue [cd/m²], and V. */
+  /** Radiance in a picture, or at `places` if given: [pixel × 4], red, green and blue [cd/m²], then V. */
   read(sky, view, frame, {shadowed = true, light = 'seen', places = null} = {}) {
     const {gl} = this, {width, height} = frame;
     this.setUniforms(this.raw, sky, view, frame, {shadowed, light});
@@ -171,7 +171,7 @@ export class Picture {
     return new Float32Array(bits.buffer);
   }
 
-  /** Radiance at places of the Moon, unit vectors in Moon-fixed axes. */
+  /** Radiance at places on the Moon, given as unit vectors in Moon-fixed axes. */
   readAt(sky, view, directions) {
     const width = Math.min(directions.length, widest), height = Math.ceil(directions.length / widest);
     const places = new Float32Array(4 * width * height);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Plane behind the Earth: where light from the limb lands on it, and the light of the Sun's whole disc at its places
+// A plane behind the Earth: where light from the limb lands on it, and the light from the Sun's whole disc on it
 // (shadow::by_quadrature has the equation).
 
-// Nodes of three stretches of axis distance: within the umbra, about the begin of direct light, beyond.
+// Nodes in three stretches of axis distance: inside the umbra, around the start of direct light, and farther out.
 export const stretches = [150, 110, 80];
 export const nodes = stretches[0] + stretches[1] + stretches[2] + 1, sectors = 96;
 export const colours = 4;  // red, green, blue, V
 export const channels = 2 * colours;  // on the reddest ground, then on the bluest
-// Widths of bins of the axis distance at which light from the Sun's centre lands. Narrow bins begin where rays land
-// that pass the limb 25 km high: direct light begins there.
+// Widths of bins in the axis distance at which light from the Sun's centre lands. Narrow bins begin where rays land
+// that pass the limb at a height of 25 km, since direct light begins there.
 const wideKm = 30, narrowKm = 5, highRaysKm = 360;
 const limbKm = 6390, oneLimbKm = 1500;  // as shadow::limb_m and one_limb_m
 
-/** Axis distance at which a line from the limb crosses a plane that is so many times as deep. */
+/** Axis distance at which a line from the limb crosses a plane that is `deeper` times as deep. */
 export const sheared = (distance, deeper) =>
   distance + (distance - limbKm) * (deeper - 1) * Math.min(1, distance / oneLimbKm);
 
@@ -48,12 +48,12 @@ export class Plane {
     const top = landing(shadow.facts.earth.equatorialKm + shadow.facts.limb.topKm, 0, shadow.sunDistance, depth);
     this.wide = Math.floor((straight - highRaysKm) / wideKm);  // number of wide bins
     this.bins = this.wide + Math.ceil((top + narrowKm - this.wide * wideKm) / narrowKm);
-    this.clear = null;  // parts of the Sun's disc that nodes see, once asked for
+    this.clear = null;  // parts of the Sun's disc visible from the nodes, made on demand
   }
 
-  /** Begin of a bin [km]. */
+  /** Axis distance at which a bin begins [km]. */
   edge(bin) { return bin < this.wide ? bin * wideKm : this.wide * wideKm + (bin - this.wide) * narrowKm; }
-  /** Bin of an axis distance [km]. */
+  /** Bin that contains an axis distance [km]. */
   binOf(distance) {
     const beyond = distance - this.wide * wideKm;
     return Math.floor((beyond < 0 ? distance / wideKm : this.wide + beyond / narrowKm) + 1e-9);
@@ -87,7 +87,7 @@ export class Plane {
       }
   }
 
-  /** Arcs of the Sun's disc about an axis distance: {first bin, last bin, values[bin][term × harmonics + m]}. */
+  /** Arcs of the Sun's disc around an axis distance: {first bin, last bin, values[bin][term × harmonics + m]}. */
   arcs(gamma) {
     const first = Math.min(this.bins, this.binOf(Math.max(0, gamma - this.sunRadius)));
     const last = Math.min(this.bins, this.binOf(gamma + this.sunRadius) + 1);
@@ -103,13 +103,13 @@ export class Plane {
     return {first, last, values};
   }
 
-  /** Arcs about all nodes. */
+  /** Arcs around every node. */
   allArcs() {
     this.kept ??= Array.from({length: nodes}, (_, i) => this.arcs(this.at(i)));
     return this.kept;
   }
 
-  /** ∫ T b db of one part and wavelength, by the bin where it lands; beyond the axis in the second half of the array. */
+  /** ∫ T b db for one part and wavelength, by the bin where light lands; the array's second half is beyond the axis. */
   landed(paths, through, cover, topKm) {
     const landed = new Float64Array(2 * this.bins);
     const {bending, impact} = paths;
@@ -133,7 +133,7 @@ export class Plane {
     if (low < 0) this.spreadOn(landed, this.bins, Math.max(0, -high), -low, each);
   }
 
-  /** Spreads light on one side of the axis; `each` is light for a kilometre. */
+  /** Spreads light on one side of the axis; `each` is the light per kilometre. */
   spreadOn(landed, offset, low, high, each) {
     for (let bin = this.binOf(low), from = low; bin < this.bins && from < high; ++bin) {
       const next = Math.min(high, this.edge(bin + 1));
@@ -142,7 +142,7 @@ export class Plane {
     }
   }
 
-  /** Share of the Sun's disc in each of its layers that the Earth and its air leave clear. */
+  /** For each layer of the Sun's disc, the share that the Earth and its air leave uncovered. */
   clearParts(gamma, angle) {
     const {facts, layers} = this.shadow;
     const {equatorialKm, polarKm, sunDeclination} = facts.earth;
@@ -154,7 +154,7 @@ export class Plane {
       Math.max(0, layer * layer - lensArea(gamma, sun * layer, earth) / (Math.PI * sun * sun)));
   }
 
-  /** Direct light by weights of the Sun's layers: [sector][node][channel]. */
+  /** Direct light for given weights of the Sun's layers: [sector][node][channel]. */
   direct(layerWeights) {
     this.clear ??= Array.from({length: sectors * nodes}, (_, i) =>
       this.clearParts(this.at(i % nodes), 2 * Math.PI * Math.floor(i / nodes) / sectors));

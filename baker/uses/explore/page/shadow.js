@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Light in the Earth's shadow, summed up from rays of the limb, by axis distance, position angle and depth.
+// Light in the Earth's shadow by axis distance, position angle and depth, summed from rays at the limb.
 
 import {aerosolDepth, cloudCover, LimbRays, meanOver} from './air.js';
 import {channels, colours, landing, nodes, Plane, sectors, sheared, stretches} from './plane.js';
 import {luminance} from './vectors.js';
 
 export class Shadow {
-  /** Given  sunDistance [km];  depths  of the planes, the nearest first [km] */
+  /** Given  sunDistance  [km];  depths  those of the planes, nearest first [km] */
   constructor(facts, arrays, sunDistance, depths) {
     this.facts = facts;
     this.rays = new LimbRays(facts, arrays);
@@ -34,7 +34,7 @@ export class Shadow {
     this.endKm = landing(top, 0, sunDistance, depths[1]) + facts.sun.radiusKm * depths[1] / sunDistance;
     const begins = landing(top, 0, sunDistance, this.middleDepth) -
       facts.sun.radiusKm * this.middleDepth / sunDistance;  // direct light
-    this.ends = [begins - 160, begins + 440, this.endKm];  // of the stretches, by distance from the axis
+    this.ends = [begins - 160, begins + 440, this.endKm];  // axis distances at which the stretches end
     this.planes = depths.map((depth) => new Plane(this, depth));
   }
 
@@ -48,11 +48,11 @@ export class Shadow {
     return from;
   }
 
-  /** Changes the air, and the light that lands on each plane: [plane][part][wavelength][bin]. */
+  /** Changes the air, and with it the light that lands on each plane: [plane][part][wavelength][bin]. */
   setAir(air) {
     this.air = air;
     this.landed = this.planes.map(() => []);
-    this.spectral = [];  // series of each wavelength, once asked for
+    this.spectral = [];  // series for each wavelength, made on demand
     for (let p = 0; p < this.rays.parts.length; ++p)
       for (let w = 0; w < this.waves; ++w) {
         const {paths, amounts} = this.followed(air, p, w);
@@ -63,7 +63,7 @@ export class Shadow {
       }
   }
 
-  /** Paths and amounts of a part's rays at a wavelength; kept until refraction changes. */
+  /** Paths and amounts for a part's rays at a wavelength, kept until refraction changes. */
   followed(air, part, wave) {
     if (this.pathsAre !== air.refraction) [this.pathsAre, this.paths] = [air.refraction, []];
     return this.paths[part * this.waves + wave] ??= {
@@ -71,8 +71,8 @@ export class Shadow {
   }
 
   /**
-   * Light that lands on a plane from a point of the Sun, as a series in position angle: by term of the Sun's disc, and
-   * by sums over wavelengths with some weights. Light from both sides of the axis is one.
+   * Light that lands on a plane from a point on the Sun, as a series in position angle, for each term of the Sun's disc
+   * and each weighted sum over wavelengths. Light from both sides of the axis is added up.
    *
    * Returned [harmonic, cosine before sine][bin][term × weights]
    */
@@ -97,7 +97,7 @@ export class Shadow {
         for (let m = 0; m < harmonics; ++m) {
           const share = this.series[2 * p + side][m];
           if (share === 0) continue;
-          const across = m % 2 === 0 ? share : -share;  // light that crosses the axis turns by half a circle
+          const across = m % 2 === 0 ? share : -share;  // light that crosses the axis turns by 180 degrees
           const to = shed[side * harmonics + m], half = bins * width;
           for (let i = 0; i < half; ++i) to[i] += share * inWeights[i] + across * inWeights[half + i];
         }
@@ -105,7 +105,7 @@ export class Shadow {
     return shed;
   }
 
-  /** Light of the Sun's disc at an axis distance, as a series: [harmonic, cosine before sine][weight]. */
+  /** Light from the Sun's disc at an axis distance, as a series: [harmonic, cosine before sine][weight]. */
   gathered(k, arcs, shed, count) {
     const {first, last, values} = arcs, {harmonics, terms} = this;
     const size = terms.length * harmonics, width = terms.length * count;
@@ -135,9 +135,9 @@ export class Shadow {
   }
 
   /**
-   * Table that lights the picture: log2 of the radiance of white ground that faces the Sun at 1 au.
+   * Table for lighting the picture: log2 of the radiance of white ground that faces the Sun at 1 au.
    *
-   * Given    through  transmittance of the observer's air by wavelength; without: above it
+   * Given    through  transmittance of the observer's air by wavelength; if absent, no such air
    * Returned {values: [plane][sector, the first again at the end][node][channel], nodes, rows}
    */
   table(through = null) {
@@ -161,7 +161,7 @@ export class Shadow {
     return {values, nodes, stretches, rows: this.planes.length * (sectors + 1), sectors};
   }
 
-  /** Calls a function while the air is another (`air` and `landed` of a Shadow). */
+  /** Calls a function with the air replaced for a while (`air` and `landed` from a Shadow). */
   inAir(other, act) {
     const {air, landed} = this;
     Object.assign(this, other);
@@ -171,9 +171,9 @@ export class Shadow {
   }
 
   /**
-   * Light that the air scatters into the shadow, over sunlight, by wavelength: interpolated in logarithms between
-   * depths of the stratosphere's aerosol. No other change of the air counts, but for the switch that ends scattering.
-   * Air of Danjon's scale gives all light that was seen, scattered light included.
+   * Ratio of the light that the air scatters into the shadow to sunlight, by wavelength, interpolated in logarithms
+   * between optical depths of stratospheric aerosol. Apart from the switch for scattering, no other change to the air
+   * matters. On Danjon's scale it is 0, since that air already accounts for all light that was seen.
    */
   scatteredAt(distance) {
     const [, distances, waves] = this.scattered.shape, {data} = this.scattered;
@@ -190,7 +190,7 @@ export class Shadow {
     });
   }
 
-  /** Rows of the table between which the aerosol's mean depth lies, and its place between them. */
+  /** The two rows of the table on either side of the aerosol's mean depth, and its place between them. */
   scatteringAmounts() {
     const {parts} = this.rays;
     const depth = meanOver(parts, (part) => aerosolDepth(this.air, part));
@@ -201,14 +201,14 @@ export class Shadow {
     return [step + 2, step + 3, Math.log(depth / steps[step]) / Math.log(steps[step + 1] / steps[step])];
   }
 
-  /** Series of each wavelength by itself. */
+  /** A series for each single wavelength. */
   spectralShed(k) {
     const each = () => Array.from({length: this.waves}, (_, w) =>
       Float64Array.from({length: this.waves}, (_, i) => (i === w ? 1 : 0)));
     return this.spectral[k] ??= this.shed(k, each());
   }
 
-  /** Light over sunlight by wavelength at a place in the shadow (placeInShadow). */
+  /** Ratio of light to sunlight by wavelength, at a place in the shadow (placeInShadow). */
   spectrum(place) {
     const k = Math.abs(place.depth - this.depths[0]) < Math.abs(place.depth - this.depths[1]) ? 0 : 1;
     const plane = this.planes[k];
@@ -223,8 +223,8 @@ export class Shadow {
   }
 
   /**
-   * Ring of sunsets that a place in the shadow sees: luminance of the Sun's image over that of its disc, in red,
-   * green and blue.
+   * Ring of sunsets seen from a place in the shadow: the luminance of the Sun's image relative to that of its disc, in
+   * red, green and blue.
    *
    * Given    angles  number of position angles
    * Returned [angle][ray × 3], rays from the ground up
@@ -262,7 +262,7 @@ export class Shadow {
     });
   }
 
-  /** Share of a part in the limb at a position angle. */
+  /** Share of one part in the limb at a position angle. */
   share(part, psi) {
     return this.summed(Float64Array.from(
       [...this.series[2 * part], ...(this.turning ? this.series[2 * part + 1] : [])]), psi, 1)[0];
@@ -276,8 +276,8 @@ function store(light, values, at, least) {
   for (let c = 0; c < channels; ++c) values[at + c] = Math.log2(Math.max(light[c], least[c]));
 }
 
-/** Moves a colour of linear Rec.709 with a negative channel towards the grey of its luminance, as colour::into_gamut; to
- * black without luminance. */
+/** Moves a colour of linear Rec.709 with a negative channel towards the grey of its luminance, as colour::into_gamut
+ * does; without luminance it becomes black. */
 export function intoGamut(light) {
   const least = Math.min(light[0], light[1], light[2]);
   if (least >= 0) return;

@@ -5,13 +5,13 @@ import {refraction} from './motion.js';
 import {colours} from './plane.js';
 import {degree} from './vectors.js';
 
-const lowest = -0.5739;  // true altitude of what is seen on the horizon [degrees]
-// Light is interpolated between altitudes in even steps of log(altitude + shift).
+const lowest = -0.5739;  // true altitude of objects seen on the horizon [degrees]
+// Light is interpolated between altitudes at equal steps of log(altitude + shift).
 const shift = 3.5, step = Math.log(1.12);
 
 const altitudeOf = (node) => Math.min(90, (lowest + shift) * Math.exp(step * node) - shift);
 
-/** Air masses at a true altitude [degrees]: Young's (1994), ozone's in a layer 22 km high, Schaefer's of aerosol (1993). */
+/** Air masses at a true altitude [degrees]: Young (1994), ozone in a layer 22 km high, aerosol by Schaefer (1993). */
 function airMasses(altitude) {
   const sine = Math.sin(altitude * degree);
   const apparent = Math.min(90, Math.max(0, altitude + refraction(altitude))) * degree;
@@ -23,13 +23,13 @@ function airMasses(altitude) {
     1 / (seen + 0.0123 * Math.exp(-24.5 * seen))];
 }
 
-/** Pressure at an elevation over that at sea level, as atmosphere::pressure_ratio_us_1976. */
+/** Ratio of pressure at an elevation to that at sea level, as in atmosphere::pressure_ratio_us_1976. */
 export const pressureRatio = (km) =>
   (1 - 6.5 * Math.min(km, 11) / 288.15) ** 5.2559 * Math.exp(-Math.max(km - 11, 0) / 6.3416);
 
-/** Light in one state of the Earth's air, as observers see it at any altitude. */
+/** Light in one state of the Earth's air, as seen with the Moon at any altitude. */
 export class Sightline {
-  /** Given  tableOf  makes the table (Shadow.table) of light times a transmittance by wavelength */
+  /** Given  tableOf  makes a table (Shadow.table) of the light times a transmittance by wavelength */
   constructor(arrays, tableOf) {
     const {shape, data} = arrays['observer.depths'];
     this.depths = [0, 1, 2].map((i) => data.subarray(i * shape[1], (i + 1) * shape[1]));
@@ -37,18 +37,18 @@ export class Sightline {
     this.tables = {};  // by altitude and elevation
   }
 
-  /** Optical depth by wavelength. */
+  /** Optical depth of the observer's air by wavelength. */
   depth(altitude, elevationKm) {
     const masses = airMasses(altitude), [air, ozone, aerosol] = this.depths, pressure = pressureRatio(elevationKm);
     return air.map((depth, w) => masses[0] * pressure * depth + masses[1] * ozone[w] + masses[2] * aerosol[w]);
   }
 
-  /** Light through air at a true altitude. */
+  /** Table of the light through the air at a true altitude. */
   made(altitude, elevationKm) {
     return this.tableOf(this.depth(altitude, elevationKm).map((depth) => Math.exp(-depth)));
   }
 
-  /** Table of light at a true altitude [degrees], on the horizon below it; the first is made for its altitude alone. */
+  /** Table of light at a true altitude [degrees], at least the horizon's. The first is made for its exact altitude. */
   table(altitude, elevationKm) {
     const seen = Math.max(altitude, lowest), asked = `${seen} ${elevationKm}`;
     this.first ??= {asked, table: this.made(seen, elevationKm)};
@@ -63,9 +63,9 @@ export class Sightline {
   }
 }
 
-const weak = -7;  // log2 of a channel over the strongest; one that the gamut cuts off has no logarithm to interpolate
+const weak = -7;  // log2 of the ratio to the strongest channel; one that the gamut cuts off has no logarithm
 
-/** Logarithms between two tables; of weak channels the share of the strongest is interpolated. */
+/** Logarithms interpolated between two tables. For weak channels, the ratio to the strongest is interpolated. */
 function between(low, high, part) {
   const values = new Float32Array(low.length);
   for (let i = 0; i < low.length; i += colours) {

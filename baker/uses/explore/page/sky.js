@@ -3,13 +3,13 @@
 
 import {pressureRatio} from './sightline.js';
 
-/** Node below a value among even nodes, and the part of the way to the next. */
+/** The node below a value among equally spaced nodes, and how far the value is towards the next (0 to 1). */
 function between(value, [first, step], nodes) {
   const at = Math.min(Math.max((value - first) / step, 0), nodes - 1), node = Math.min(Math.floor(at), nodes - 2);
   return [node, at - node];
 }
 
-/** Three numbers of a table, interpolated between the nodes of its other axes. */
+/** Three numbers from a table, interpolated along its other axes. */
 function interpolated({shape, data}, [[node, part], ...others], axis = 0, row = 0) {
   const [low, high] = [node, node + 1].map((i) => {
     const at = row * shape[axis] + i;
@@ -19,10 +19,10 @@ function interpolated({shape, data}, [[node, part], ...others], axis = 0, row = 
 }
 
 /**
- * Light of the sky around the Moon [cd/m², linear Rec.709].
+ * Light from the sky around the Moon [cd/m², linear Rec.709].
  *
- * Given  view         from a place (viewFrom)
- *        elevationKm  of the place
+ * Given  view         view from a place (viewFrom)
+ *        elevationKm  elevation of the place
  *        moonV        magnitude of the whole Moon above the air
  */
 export function skyAround({sky}, arrays, view, elevationKm, moonV) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// State that the reader has set: as the fragment of a link, and as the command that makes the same picture.
+// The state that the reader has set, as a link's fragment and as the command that makes the same picture.
 
 import {airAsItWas, meanOver, remaining} from './air.js';
 import {switches, utc} from './words.js';
@@ -27,7 +27,7 @@ const numberIn = (text, low, high) => {
 const airNumbers = {
   cloud: [0, 10], haze: [0, 10], dust: [0, 2], ozoneDu: [0, 1000], clearness: [-2, 1]};
 
-/** Fragment of a link: all that differs from the first state. */
+/** Fragment for a link, with everything that differs from the first state. */
 export function linkOf(state, facts) {
   const first = firstState(facts), words = new URLSearchParams();
   if (Math.abs(state.ms - first.ms) >= 500) words.set('t', utc(state.ms));
@@ -49,7 +49,7 @@ export function linkOf(state, facts) {
   return words.toString();
 }
 
-/** State of a link's fragment; where a value is wrong, that of the first state. */
+/** The state in a link's fragment. Invalid values are taken from the first state. */
 export function stateOf(link, facts) {
   const state = firstState(facts), words = new URLSearchParams(link);
   const ms = Date.parse(words.get('t') ?? '');
@@ -78,7 +78,7 @@ export function stateOf(link, facts) {
   return state;
 }
 
-/** Name of a time zone that the browser knows; empty for any other. */
+/** The name of a time zone if the browser knows it, otherwise empty. */
 function zoneNamed(name) {
   try {
     return name && new Intl.DateTimeFormat('en', {timeZone: name}) ? name : '';
@@ -89,7 +89,7 @@ function zoneNamed(name) {
 
 const short = (value) => String(Number(value.toPrecision(4)));
 
-/** Options of the command line that make the same air. */
+/** Command-line options that make the same air. */
 function airOptions(air, facts) {
   const options = [], cloud = air.clouds ? air.cloud : 0, haze = air.aerosol ? air.haze : 0;
   const mean = (name) => meanOver(facts.limb.parts, (part) => part[name]), share = remaining(air);
@@ -116,7 +116,7 @@ function airOptions(air, facts) {
 
 const quoted = (word) => (/^[\w.,:+/-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
 
-/** Command line that makes the picture shown. */
+/** Command line that makes the current picture. */
 export function commandOf(state, facts, seconds) {
   const {place, exposure} = state, words = ['still', utc(state.ms)];
   if (place) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors of three numbers, and matrices of nine, column by column.
+// Vectors of three numbers, and matrices of nine numbers, column by column.
 
 export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 export const scaled = (a, k) => [a[0] * k, a[1] * k, a[2] * k];
@@ -21,5 +21,5 @@ export const direction = (longitude, latitude) => [
 
 export const degree = Math.PI / 180;
 
-/** Luminance of linear Rec.709: of three numbers, or of those from the i-th on. */
+/** Luminance of a linear Rec.709 colour: the three numbers from index i on. */
 export const luminance = (rgb, i = 0) => 0.2126390059 * rgb[i] + 0.7151686788 * rgb[i + 1] + 0.0721923154 * rgb[i + 2];

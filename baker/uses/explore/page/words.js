@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texts of the page, and the meanings of its words.
+// Texts on the page, and the meanings of its terms.
 
 export const meanings = {
   P1: 'P1: the Moon touches the penumbra, where the Earth covers a part of the Sun.',
@@ -43,10 +43,10 @@ export function utc(ms) {
 export const signed = (value, decimals) => value.toFixed(decimals).replace('-', '−');
 
 /**
- * Date and time in a time zone; without one, in the browser's: "27 Jul, 15:21:45 CDT", or "… UTC−5" where the zone has no
- * abbreviation of letters.
+ * Date and time in a time zone, by default the browser's: "27 Jul, 15:21:45 CDT", or "… UTC−5" if the zone has no
+ * abbreviation in letters.
  *
- * Given  facts  zones: the abbreviations of each when the page begins and when it ends
+ * Given  facts  zones: each zone's abbreviations at the page's first and last moment
  */
 export function localTime(ms, timeZone, {fromMs, zones}) {
   const format = new Intl.DateTimeFormat('en-GB', {
@@ -64,7 +64,7 @@ export function localTime(ms, timeZone, {fromMs, zones}) {
 const half = (value, [positive, negative]) => `${Math.abs(value).toFixed(1)}° ${value < 0 ? negative : positive}`;
 export const placeText = ({latitude, longitude}) => `${half(latitude, 'NS')}, ${half(longitude, 'EW')}`;
 
-/** Number to three digits, without an exponent from 1e-4 to 1e5. */
+/** A number to three digits, without an exponent between 1e-4 and 1e5. */
 export function number(value) {
   if (value === 0 || !Number.isFinite(value)) return '0';
   if (value >= 1e5 || value < 1e-4) return value.toExponential(2);
