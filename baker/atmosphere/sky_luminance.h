@@ -26,7 +26,7 @@ double visual_extinction_mag(const ObserverAir& air);
 ///
 ///     X = (1 − 0.96 sin² z)^−½        z: zenith distance
 ///
-/// Given     altitude  0 to 90 degrees; held at either end
+/// Given     altitude  0 to 90 degrees; values outside are clamped
 /// Returned  X         1 at the zenith, 5 on the horizon
 /// Source    Garstang (1989), PASP 101, 306; Krisciunas & Schaefer (1991), eq. 3
 double sky_air_mass(algebra::Angle altitude);

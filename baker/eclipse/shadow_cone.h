@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <utility>
+
 #include "algebra/quantity.h"
 #include "eclipse/shadow_axis.h"
 
@@ -23,6 +26,13 @@ namespace coppermoon::eclipse {
 /// Source  Espenak & Meeus (2009), Five Millennium Canon of Lunar Eclipses, NASA/TP-2009-214172;
 ///         Herald & Sinnott (2014), J. Brit. Astron. Assoc. 124, 247
 enum class ShadowConvention { danjon, danjon_oblate, chauvenet, herald_sinnott };
+
+/// Words for the conventions, as on the command line and in Python.
+inline constexpr std::array<std::pair<const char*, ShadowConvention>, 4> convention_words{
+    {{"danjon", ShadowConvention::danjon},
+     {"danjon-oblate", ShadowConvention::danjon_oblate},
+     {"chauvenet", ShadowConvention::chauvenet},
+     {"herald-sinnott", ShadowConvention::herald_sinnott}}};
 
 /// Radii of the shadow at the Moon's distance, as angles seen from the Earth's centre. Beyond the tip of the umbra, its
 /// radius is negative.

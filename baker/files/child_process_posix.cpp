@@ -16,6 +16,7 @@
 #include <cstring>
 
 #include "algebra/error.h"
+#include "files/descriptor_posix.h"
 #include "files/running_program.h"
 
 namespace coppermoon::files {
@@ -23,8 +24,6 @@ namespace {
 
 using algebra::Error;
 using Clock = std::chrono::steady_clock;
-
-int descriptor_of(const Handle& handle) { return static_cast<int>(handle.number); }
 
 [[noreturn]] void refuse_pipe() {
   throw Error(fmt::format("no pipe to another program: {}", std::strerror(errno)));

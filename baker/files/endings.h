@@ -19,7 +19,7 @@ struct Ending {
   std::string_view help;    ///< what the file holds: "developed"; empty if the ending says enough
 };
 
-/// Formats as a list in words: ".exr (scene-linear), .png (developed)".
+/// A list of the formats in words: ".exr (scene-linear), .png (developed)".
 template <class Formats>
 std::string in_words(const Formats& formats) {
   std::string words;

@@ -6,6 +6,7 @@
 #include <cerrno>
 
 #include "files/cache_folder.h"
+#include "files/descriptor_posix.h"
 #include "files/lock.h"
 
 namespace coppermoon::files {
@@ -31,7 +32,7 @@ bool others_hold(int descriptor, off_t from, off_t length) {
 
 Handle lock_folder(const std::filesystem::path& folder) {
   auto handle = opened(folder);
-  if (handle) ::flock(static_cast<int>(handle.number), LOCK_EX);
+  if (handle) ::flock(descriptor_of(handle), LOCK_EX);
   return handle;
 }
 
@@ -50,7 +51,7 @@ Handle lock_file(const std::filesystem::path& file, const std::function<void()>&
 /// The claim is a read lock on one byte, whose offset stands for the purpose.
 FolderClaim claim_folder(const std::filesystem::path& folder, std::uint64_t purpose) {
   FolderClaim claim{opened(folder)};
-  const auto descriptor = static_cast<int>(claim.handle.number);
+  const auto descriptor = descriptor_of(claim.handle);
   const auto byte = static_cast<off_t>(purpose >> 2) + 1;  // not the first or last possible offset
   auto mine = lock_of(F_RDLCK, byte, 1);
   if (::fcntl(descriptor, F_OFD_SETLK, &mine) == 0)

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cerrno>
 
+#include "files/descriptor_posix.h"
 #include "files/new_file.h"
 
 namespace coppermoon::files {
@@ -52,7 +53,7 @@ NewFile::NewFile(const fs::path& final_path) : final_(final_path) {
     });
     removal_.emplace(path_);
   }
-  keep_permissions(static_cast<int>(handle_.number), final_);
+  keep_permissions(descriptor_of(handle_), final_);
 }
 
 NewFile::~NewFile() {
@@ -60,7 +61,7 @@ NewFile::~NewFile() {
 }
 
 void NewFile::put_in_place() {
-  if (::fsync(static_cast<int>(handle_.number)) != 0) throw cannot_write(final_, last_error());
+  if (::fsync(descriptor_of(handle_)) != 0) throw cannot_write(final_, last_error());
   // if the final name is free, take it at once: a program killed now leaves no temporary name behind
   if (!path_.empty() || !named(handle_, final_)) {
     if (path_.empty()) with_a_name([this](const fs::path& name) { return named(handle_, name); });
@@ -68,7 +69,7 @@ void NewFile::put_in_place() {
     path_.clear();
   }
   if (const auto folder = opened(final_.parent_path()))
-    ::fsync(static_cast<int>(folder.number));  // ignored if the file system cannot
+    ::fsync(descriptor_of(folder));  // ignored if the file system cannot
 }
 
 }  // namespace coppermoon::files

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 
+#include "files/descriptor_posix.h"
 #include "files/standard_streams.h"
 
 namespace coppermoon::files {
@@ -48,13 +49,13 @@ Handle silence_errors() {
   std::fflush(stderr);
   Handle before(::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3));
   const Handle nowhere(::open("/dev/null", O_WRONLY | O_CLOEXEC));
-  if (before && nowhere) ::dup2(static_cast<int>(nowhere.number), STDERR_FILENO);
+  if (before && nowhere) ::dup2(descriptor_of(nowhere), STDERR_FILENO);
   return before;
 }
 
 void hear_errors(const Handle& before) {
   std::fflush(stderr);
-  if (before) ::dup2(static_cast<int>(before.number), STDERR_FILENO);
+  if (before) ::dup2(descriptor_of(before), STDERR_FILENO);
 }
 
 }  // namespace coppermoon::files

@@ -157,7 +157,7 @@ std::vector<LeftOut> left_out(const Work& work, const Scene& scene) {
 Plan plan_with(Solver solver, double tolerance, const Scene& scene, const Machine& machine,
                const ByHand& by_hand) {
   Refinement refinement(tolerance, scene, by_hand, solver);
-  // settings by hand may leave more error than the tolerance; the other settings need not compensate for it
+  // settings made by hand may cause an error above the tolerance, for which the others need not compensate
   const double least = predicted_error(refinement.finest(), scene);
   const double goal = least > tolerance ? least + tolerance : tolerance;
   while (predicted_error(refinement.work(), scene) > goal && refinement.refine()) {

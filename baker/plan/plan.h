@@ -28,9 +28,10 @@ std::string_view name(Solver solver);
 /// Settings for the light on a Moon that trade accuracy against time.
 struct Work {
   Solver solver = Solver::quadrature;
-  double photons = 0;            ///< number of photons; 0 for the quadrature
-  bool refracted = true;         ///< light refracted by the air; off: direct sunlight alone
-  bool ellipsoid = true;         ///< off: a sphere with the radius of the limb next to the Moon
+  double photons = 0;     ///< number of photons; 0 for the quadrature
+  bool refracted = true;  ///< light refracted by the air; off: direct sunlight alone
+  bool ellipsoid =
+      true;  ///< off: a sphere with the radius of the Earth's limb at the Moon's position angle
   bool regions = true;           ///< off: the air outside all regions fills the whole limb
   bool scattered_light = false;  ///< twilight that the air scatters into the shadow
   int bands = 200;               ///< number of wavelength bands

@@ -189,7 +189,7 @@ const Parameter* Parameters::find(std::string_view name) const {
 
 namespace {
 
-/// Why a parameter has no effect: "without --camera", "beside --unshadowed". Empty if it has one.
+/// Why a parameter has no effect, such as "without --camera" or "beside --unshadowed". Empty if it has an effect.
 std::string reason_of(const Parameters& all, const Parameter& parameter,
                       const std::function<std::string(const Parameter&)>& spelt) {
   for (const auto& [needed, conditions, of] : parameter.relations) {

@@ -239,7 +239,7 @@ void put(const Texts& texts, std::vector<Value>& values) {
   values.assign(texts.begin(), texts.end());
 }
 
-/// A parameter bound to a field by functions that read and write its texts.
+/// A parameter bound to a field by functions that convert the field's value from and to text.
 template <class Value>
 Parameter bound(const std::string& spelling, Value& value, std::string meaning,
                 std::function<Texts()> read, std::function<void(const Texts&)> write) {

@@ -14,10 +14,13 @@ std::string text_of(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-/// Text of a CSV cell, in quotes if it contains a comma.
+/// Text of a CSV cell (RFC 4180): in quotes if it contains a comma, a quote or a line break; quotes in it are doubled.
 std::string cell(const Json& value) {
   const auto text = text_of(value);
-  return text.find(',') == std::string::npos ? text : '"' + text + '"';
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
 }
 
 }  // namespace

@@ -101,7 +101,7 @@ class LandedPlane {
     algebra::Grid<double> factors;  ///< (harmonic, ((node, term), moment))
   };
 
-  /// Landed light of consecutive blocks of wavelengths, by part of the limb.
+  /// Light that landed in the plane, for consecutive blocks of wavelengths and each part of the limb.
   struct Blocks {
     std::size_t first = 0, count = 0;
     std::vector<LandedLight> landed = {};  ///< block by block, all parts of each

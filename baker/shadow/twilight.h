@@ -62,7 +62,7 @@ std::vector<RefractedLight> twilight_about(const RefractedLight& light,
 /// Given  more  twilight, from twilight_about
 void add_between(const RefractedLight& more, RefractedLight& light);
 
-/// Adds the twilight to light in the shadow, interpolated: `twilight_about`, then `add_between`.
+/// Adds twilight to the light in the shadow: `twilight_about` computes it, `add_between` adds it by interpolation.
 ///
 /// Given     light  with increasing wavelengths
 /// Accuracy  0.5 % of the twilight

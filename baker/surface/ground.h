@@ -44,8 +44,8 @@ Ground ground_under(const algebra::Grid<float>& normal_albedo, Photometry photom
 ///
 ///     k = -5.4578e-3 x + 7.7136e-6 x^2        x = lambda - 566 nm
 ///
-/// 1 at 415 nm, 0 at 566 nm and -0.3745 at 643 nm: the first principal component of the logarithms of
-/// the reflectances at 415 and 643 nm over that at 566 nm over all cells of the disc, weighted by
+/// 1 at 415 nm, 0 at 566 nm and -0.3745 at 643 nm: the first principal component of the logarithms of the
+/// reflectances at 415 and 643 nm, each divided by that at 566 nm, in all cells of the disc, weighted by
 /// projected area. It holds 94 % of their variance.
 ///
 /// Given     wavelength  380 to 780 nm

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <glm/mat3x3.hpp>
@@ -8,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "algebra/grid.h"
@@ -79,6 +81,13 @@ enum class Coding {
   linear,
   camera,  ///< the camera's own tone curve (colour/tone_curve.h); read as sRGB: displayed light
 };
+
+/// Words for the codings, as on the command line and in Python.
+inline constexpr std::array<std::pair<const char*, Coding>, 4> coding_words{
+    {{"as-file-says", Coding::as_file_says},
+     {"srgb", Coding::srgb},
+     {"linear", Coding::linear},
+     {"camera", Coding::camera}}};
 
 /// Reads the light in an image of any kind, upright: channels R, G, B, all the same for grey. In an EXR file
 /// they are found by name: R, G and B, or Y alone.

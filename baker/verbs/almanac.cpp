@@ -27,20 +27,14 @@ namespace of_almanac {
 namespace {
 
 struct Options {
-  std::string from, to, at, convention = "danjon";
+  std::string from, to, at;
+  eclipse::ShadowConvention convention = eclipse::ShadowConvention::danjon;
   std::optional<int> year;
   std::optional<std::string> feature;
   std::vector<std::string> outputs;
   almanac::Calendar calendar = almanac::Calendar::gregorian;
   bool brightness = false, json = false, csv = false;
 };
-
-eclipse::ShadowConvention convention_from(const std::string& name) {
-  if (name == "danjon-oblate") return eclipse::ShadowConvention::danjon_oblate;
-  if (name == "chauvenet") return eclipse::ShadowConvention::chauvenet;
-  if (name == "herald-sinnott") return eclipse::ShadowConvention::herald_sinnott;
-  return eclipse::ShadowConvention::danjon;
-}
 
 using Contact = std::pair<const char*, std::optional<almanac::Instant>>;
 
@@ -196,7 +190,7 @@ EclipseList listed(const Options& options) {
   EclipseList list{{}, options.calendar, {}, {}, options.at};
   if (options.feature) list.feature = uses::feature_from(*options.feature);
   if (!options.at.empty()) list.observer = uses::observer_from(options.at);
-  for (const auto& e : eclipse::eclipses_between(from, to, convention_from(options.convention))) {
+  for (const auto& e : eclipse::eclipses_between(from, to, options.convention)) {
     Listed& one = list.eclipses.emplace_back(Listed{e});
     one.eclipse.calendar = options.calendar;
     if (list.observer) {
@@ -290,10 +284,10 @@ void add_almanac(Program& program) {
       verb, "--at", options->at,
       "place of an observer: a city, as Honolulu, or LAT,LON [degrees north and east]; adds from "
       "which contact to which the Moon is seen: it is up and stands out from its sky");
-  add_flag(verb, "--shadow-convention", options->convention,
-           "how the air enlarges the shadow: danjon, danjon-oblate, chauvenet or "
-           "herald-sinnott")
-      .one_of({"danjon", "danjon-oblate", "chauvenet", "herald-sinnott"});
+  add_choice<eclipse::ShadowConvention>(
+      verb, "--shadow-convention", options->convention,
+      {eclipse::convention_words.begin(), eclipse::convention_words.end()},
+      "how the air enlarges the shadow: danjon, danjon-oblate, chauvenet or herald-sinnott");
   add_flag(
       verb, "--feature", options->feature,
       "place on the Moon: a feature's name, as Tycho, or LAT,LON [degrees north and east]; adds "

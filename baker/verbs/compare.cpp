@@ -145,19 +145,6 @@ void describe(Field&& is, const Exposed& exposed) {
   is("iso", of_header(&colour::Exposure::iso), "ISO speed by the header");
 }
 
-const char* name(texture::Coding coding) {
-  switch (coding) {
-    case texture::Coding::srgb:
-      return "srgb";
-    case texture::Coding::linear:
-      return "linear";
-    case texture::Coding::camera:
-      return "camera";
-    default:
-      return "as-file-says";
-  }
-}
-
 /// The comparison, and how the photograph was read.
 struct Found {
   almanac::Instant when;
@@ -177,7 +164,9 @@ struct Coded {
 template <class Field>
 void describe(Field&& is, const Coded& coded) {
   is.a("Light", "How the photograph's numbers stand for light.");
-  is("coding", name(coded.coding), "coding of its numbers");
+  const auto* const known = std::ranges::find(texture::coding_words, coded.coding,
+                                              [](const auto& word) { return word.second; });
+  is("coding", known->first, "coding of its numbers");
   is("tone_curve", coded.curve ? std::optional(components_of(*coded.curve)) : std::nullopt,
      "principal components of its camera's tone curve, in standard deviations over cameras");
 }

@@ -47,7 +47,7 @@ struct Options {
 struct NightReport {
   uses::NightLights lights;
   almanac::City city;       ///< the place, or the city nearest to it
-  bool own_clocks = false;  ///< whether the place is that city
+  bool own_clocks = false;  ///< whether the place is that city, not merely near it
   std::string zone;         ///< time zone for local times
 
   const uses::Circumstances& circumstances() const { return lights.night; }

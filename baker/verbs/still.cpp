@@ -47,7 +47,7 @@ void require_sound(const Options& options) {
     if (!file.empty()) files::require_place_for(file);
 }
 
-/// Colour space for the frame: as its name says, or as asked for.
+/// Colour space of the frame: the one that its file's name tells, or the one asked for.
 colour::WorkingSpace frame_space(const Verb& verb, const Options& options) {
   if (is_given(verb, "space")) return *space_for(options.frame, options.space);
   const auto space = space_for(options.frame, {}).value_or(options.space);

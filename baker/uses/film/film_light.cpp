@@ -45,7 +45,7 @@ LightRequest with_shards(LightRequest request, const std::filesystem::path& fold
   return request;
 }
 
-/// How the light in the folder differs from the light asked for, by a request or by a recipe whose work is planned.
+/// How the light in the folder differs from the light asked for, by a request or by the recipe of a planned run.
 std::vector<request::Difference> differences_of(const KeptLight& known,
                                                 const request::Recipe& asked) {
   const auto there = light_key_in(known.key);

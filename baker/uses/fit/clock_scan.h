@@ -42,7 +42,7 @@ double misfit_at(const FitGroundwork& groundwork, const ClockView& view, double 
 /// Clock correction found from photographs, and how well it is known.
 struct ScannedClock {
   double seconds;  ///< to be added
-  bool decided;    ///< whether partial phases decided it; else the prior did
+  bool decided;    ///< whether partial phases determined the error; else the prior did
 };
 
 /// Clock correction at which photographs match the Moon best, searched in steps of 5 minutes, then 1 minute, then 15 s.

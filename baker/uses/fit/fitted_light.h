@@ -43,7 +43,7 @@ class FittedLight {
     std::vector<algebra::Grid<double>> logarithms;  ///< [aerosol × clouds + cloud](bin, channel)
   };
 
-  /// Which unknowns the air has.
+  /// Which properties of the air are fitted.
   Unknowns unknowns() const { return unknowns_; }
   /// Range of the unknowns in which the light is known.
   const AirRange& range() const { return range_; }

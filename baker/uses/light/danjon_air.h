@@ -34,7 +34,7 @@ inline constexpr double darkest_clearness = -2, brightest_clearness = 1,
 ///           choice of what to clear from the air is ours
 class DanjonScale {
  public:
-  /// Given  air  in belts, on that night
+  /// Given  air  divided into belts of latitude, for the night of the eclipse
   DanjonScale(const atmosphere::Atmosphere& air, const almanac::SkyState& sky);
 
   /// Clearness for a step. Magnitudes found on the way are kept to speed up other steps, without changing results.

@@ -74,7 +74,7 @@ class ClearSky {
   /// Throws  Error            when a term of the air is outside its range
   ClearSky(const almanac::Observer& place, const almanac::SkyState& sky,
            const atmosphere::ObserverAir& air, std::span<const double> moon_magnitudes);
-  /// The same for a Moon with the colour of the full Moon.
+  /// A clear sky lit by a Moon that has the colour of the full Moon.
   ClearSky(const almanac::Observer& place, const almanac::SkyState& sky,
            const atmosphere::ObserverAir& air, double moon_magnitude);
 

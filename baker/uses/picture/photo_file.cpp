@@ -103,7 +103,7 @@ HeaderClock in_utc(const HeaderClock& clock, std::string scale) {
   return {utc, "+00:00"};
 }
 
-/// Whether a camera took a photograph and its numbers are coded as sRGB.
+/// Whether a photograph comes from a camera and its numbers are coded as sRGB.
 bool is_coded_by_a_camera(const std::string& photo) {
   return uses::camera_of(photo) && !texture::is_raw_file(photo) &&
          texture::read_attribute(photo, "oiio:ColorSpace").value_or("") == "sRGB";

@@ -40,7 +40,7 @@ void describe_sky_of_frame(request::Parameters& is, std::optional<double>& sky_c
 /// The camera: its optics and sensor.
 void describe(request::Parameters& is, CameraRequest& camera);
 
-/// Exposure and development of a frame, without the exposure time and with it.
+/// Describes a frame's exposure and development: the first function leaves out the exposure time.
 void describe_but_time(request::Parameters& is, Development& development);
 void describe(request::Parameters& is, Development& development);
 

@@ -22,7 +22,8 @@ constexpr int most_times = 4;
 /// suffice. Above it, columns or rows with an error above `between_nodes` are doubled.
 constexpr double good_enough = 6e-3, between_nodes = 4e-3;
 
-constexpr double rounding = 5e-4;  ///< error of squares of half floats
+constexpr double rounding =
+    5e-4;  ///< relative error of the square of a value stored as a half float
 constexpr int usual_bands = 100;
 
 /// Ends of the stretches, relative to where direct light begins [m], which varies by less than 30 km around the Earth.

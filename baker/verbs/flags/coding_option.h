@@ -17,11 +17,9 @@ namespace coppermoon::verbs {
 /// Adds --coding: how a photograph's numbers stand for light.
 inline request::Parameter& add_coding_option(Verb& verb, texture::Coding& coding,
                                              const std::string& help) {
-  using enum texture::Coding;
-  return add_choice<texture::Coding>(
-      verb, "--coding", coding,
-      {{"as-file-says", as_file_says}, {"srgb", srgb}, {"linear", linear}, {"camera", camera}},
-      help);
+  using texture::coding_words;
+  return add_choice<texture::Coding>(verb, "--coding", coding,
+                                     {coding_words.begin(), coding_words.end()}, help);
 }
 
 /// Says which photographs from cameras are read as sRGB because their headers name a program that developed them.

@@ -10,9 +10,9 @@
 namespace coppermoon::verbs {
 
 /// Job that makes a film on a render farm: an Open Job Description template, revision 2023-09, in YAML. Its step
-/// `frames` has a task for each shard; the step `film`, after it, makes what needs every frame. The job's parameters
-/// are the program, the folder in which it runs, the number of shards, and each file or folder that the command names:
-/// a path if it lies in the job's folder, else a text, since a template may not name paths elsewhere.
+/// `frames` has a task for each shard; the later step `film` makes what depends on all frames. The job's parameters
+/// are the program, the folder in which it runs, the number of shards, and each file or folder that the command names.
+/// One that lies in the job's folder is a path; another is a string, since a template may not name paths elsewhere.
 ///
 /// Given   verb      `animate` with its flags set: the tasks get those that were given, including those from a recipe
 ///         job_file  in the current folder or a folder above it; names of files are written relative to its folder

@@ -91,20 +91,13 @@ concept HasWords = requires {
 template <>
 struct Words<eclipse::ShadowConvention> {
   static constexpr std::string_view what = "convention";
-  static constexpr std::array all{
-      std::pair{"danjon", eclipse::ShadowConvention::danjon},
-      std::pair{"danjon-oblate", eclipse::ShadowConvention::danjon_oblate},
-      std::pair{"chauvenet", eclipse::ShadowConvention::chauvenet},
-      std::pair{"herald-sinnott", eclipse::ShadowConvention::herald_sinnott}};
+  static constexpr auto all = eclipse::convention_words;
 };
 
 template <>
 struct Words<texture::Coding> {
   static constexpr std::string_view what = "coding";
-  static constexpr std::array all{std::pair{"as-file-says", texture::Coding::as_file_says},
-                                  std::pair{"srgb", texture::Coding::srgb},
-                                  std::pair{"linear", texture::Coding::linear},
-                                  std::pair{"camera", texture::Coding::camera}};
+  static constexpr auto all = texture::coding_words;
 };
 
 /// Throws  Error  if the word is not one of those allowed; the message lists them

@@ -89,7 +89,8 @@ Told<Result> told(const Result& result) {
 /// Throws  Error  like datetime_of
 py::object shown(const result::Field& field, const py::dict& values);
 
-/// A result as text, such as "Eclipse(type='total', gamma=0.117)": the values that are not None; arrays by shape.
+/// A result as text, such as "Eclipse(type='total', gamma=0.117)". It leaves out values that are None, and shows only the
+/// shape of arrays.
 std::string text_of(const std::string& type, const py::dict& values);
 
 /// Whether two kept values are the same. Arrays are compared by their bytes, results value by value in key order.

@@ -38,6 +38,9 @@ TEST(AsJson, OfANumberThatIsNotFiniteIsNull) {
 TEST(AsCsv, HasARowForEachAndLeavesCellsWithoutAValueEmpty) {
   EXPECT_EQ(as_csv(std::vector<Wick>{{1, 0.5}, {3, {}}}), "height_mm,burnt\n1.0,0.5\n3.0,\n");
   EXPECT_EQ(as_csv(Json::array({{{"a", "one, two"}, {"b", true}}})), "a,b\n\"one, two\",true\n");
+  EXPECT_EQ(as_csv(Json::array({{{"a", "12\" tube"}, {"b", {"x", "y"}}}})),
+            "a,b\n\"12\"\" tube\",\"[\"\"x\"\",\"\"y\"\"]\"\n")
+      << "RFC 4180";
 }
 
 TEST(AsLines, HaveNumbersInTheFormatAskedFor) {

@@ -4,7 +4,7 @@
 import {viewFrom} from './motion.js';
 import {luminance} from './vectors.js';
 
-const samples = 96;  // across the picture that is measured
+const samples = 96;  // number of samples across the measured picture
 const whole = {middle: [0, 0], pixel: 2.04 / samples, width: samples, height: samples};
 
 /** V magnitude and mean luminance [cd/m²] as seen from the Earth's centre, without the observer's air. */
