@@ -21,7 +21,7 @@ namespace {
 using std::numbers::pi;
 using TextTable = std::vector<std::vector<std::string>>;
 
-/// Photons of 555 nm per second in one lumen: λ / (683 h c).
+/// Photons per second in one lumen of 555 nm light: λ / (683 h c).
 constexpr double photons_per_lm_s = 4.0914e15;
 
 std::vector<std::string> first_column(const TextTable& table) {
@@ -30,7 +30,7 @@ std::vector<std::string> first_column(const TextTable& table) {
   return names;
 }
 
-/// A table's row, found by its first cell; gives its cells by column name.
+/// A table row, found by its first cell. Its cells are read by column name.
 class Row {
  public:
   Row(const TextTable& table, std::string_view what, std::string_view name)
@@ -74,7 +74,7 @@ Response of_matrix(const glm::dmat3& from_xyz) {
   return response;
 }
 
-/// π/4 τ (1 − ε²): the ratio of focal-plane illuminance to luminance, times the f-number squared.
+/// Ratio of focal-plane illuminance to scene luminance, multiplied by the f-number squared: π/4 τ (1 − ε²).
 double light_passed(const CameraOptics& optics) {
   return pi / 4 * optics.transmission * (1 - optics.obstruction * optics.obstruction);
 }
@@ -85,15 +85,15 @@ double electrons_per_lx_s(const Sensor& sensor) {
   return sensor.quantum_efficiency * photons_per_lm_s * side_m * side_m;
 }
 
-/// Electrons that fill the converter's range, regardless of full well.
+/// Number of electrons that fills the converter's range, whatever the full-well capacity.
 double saturation_e(const Sensor& sensor, double iso) {
-  exposure_scale({.iso = iso});  // checks the range
+  exposure_scale({.iso = iso});  // throws if the ISO speed is out of range
   return electrons_per_lx_s(sensor) * saturation_exposure_lx_s / iso;
 }
 
-/// Focal-plane exposure per cd/m² [lx s].
+/// Focal-plane exposure per unit of scene luminance [lx s per cd/m²].
 double exposure_lx_s(const Camera& camera, const Exposure& exposure) {
-  exposure_scale(exposure);  // checks the ranges
+  exposure_scale(exposure);  // throws if a setting is out of range
   return light_passed(camera.optics) * exposure.time_s / (exposure.f_number * exposure.f_number);
 }
 
@@ -149,7 +149,7 @@ Response response_named(const std::string& name) {
     throw algebra::Error(
         fmt::format("response = {}, allowed {}, or a .csv file", name, fmt::join(names, ", ")));
   const Row row(responses(), "response", name);
-  return of_matrix({row["rx"], row["gx"], row["bx"],  // columns
+  return of_matrix({row["rx"], row["gx"], row["bx"],  // one matrix column per line
                     row["ry"], row["gy"], row["by"],  //
                     row["rz"], row["gz"], row["bz"]});
 }

@@ -24,13 +24,13 @@ struct CameraOptics {
 struct Sensor {
   double width_mm = 22.7;  ///< 0.1 to 1000
   double pixel_um = 7.4;   ///< a pixel's side, 0.1 to 1000
-  /// Electrons in the most sensitive channel under white light, per 555 nm photon in green light of the same
-  /// luminance; filters and fill factor included; 0.001 to 1.
+  /// Electrons that white light frees in the most sensitive channel, divided by the number of 555 nm photons that carry
+  /// the same luminance. Includes filters and fill factor; 0.001 to 1.
   double quantum_efficiency = 0.5;
   double full_well_e = 50000;     ///< 10 to 1e9
   double read_noise_e = 3;        ///< before the amplifier, 0 to 1e4
   double converter_noise_dn = 1;  ///< after the amplifier, 0 to 1e4
-  double black_level_dn = 0;      ///< 0 to half of the largest number
+  double black_level_dn = 0;      ///< 0 to half of the largest raw number
   int bits = 14;                  ///< 1 to 16
   std::string response = "colorimetric";
 };
@@ -39,62 +39,60 @@ struct Sensor {
 struct Camera {
   CameraOptics optics{};
   Sensor sensor{};
-  double seeing_arcsec = 0;  ///< full width at half maximum of a star, 0 to 600
+  double seeing_arcsec = 0;  ///< full width at half maximum of a star's image, 0 to 600
   double glow = 0;           ///< share of the light that optics and air scatter widely, 0 to 0.5
   bool diffraction = true, noise = true;
 };
 
-/// A camera from data/cameras.csv: paper, 400mm, schmidt-cassegrain, refractor.
+/// Finds a camera of data/cameras.csv by name: paper, 400mm, schmidt-cassegrain or refractor.
 ///
 /// Throws  Error  for any other name; the message lists the valid ones
 Camera camera_named(std::string_view name);
 std::vector<std::string> camera_names();
 
-/// Response of a sensor's channels, as a matrix.
+/// Response of a sensor's three channels to colour, as a matrix.
 struct Response {
-  glm::dmat3 from_xyz;     ///< to channels that are 1, 1, 1 for D65
+  glm::dmat3 from_xyz;     ///< gives channels of 1, 1, 1 for D65 white
   glm::dvec3 sensitivity;  ///< of each channel before white balance; the largest is 1
 };
 
 /// Looks up a response by name: colorimetric (linear Rec.709 itself), luminance (a monochrome sensor), one from
-/// data/camera_responses.csv, or a spectral one (camera_spectra.h). A spectral response's matrix is the inverse of the
-/// one that turns the camera's channels into colours, so that light seen by the camera becomes its channels again.
+/// data/camera_responses.csv, or a spectral one (camera_spectra.h). The matrix of a spectral response is the inverse of
+/// the one that turns the camera's channels into colours, so colours from this camera become its channels again.
 ///
-/// Throws  Error  for any other name, listing the valid ones; as camera_spectra
+/// Throws  Error  for any other name, listing the valid ones; also when camera_spectra throws
 Response response_named(const std::string& name);
 std::vector<std::string> response_names();
 
-/// Electrons that a pixel of the most sensitive channel collects under white light, per cd/m².
+/// Electrons that a pixel of the most sensitive channel collects under white light, per cd/m² of scene luminance.
 ///
 ///     QE · 4.09e15 s⁻¹ lm⁻¹ · L · π/4 τ (1 − ε²) / N² · t · p²
 ///
 /// One lumen is 4.09e15 photons of 555 nm per second.
 ///
-/// Throws  Error  when camera or exposure is outside its range
+/// Throws  Error  when a property of the camera or the exposure is outside its range
 double electrons_per_cd_m2(const Camera& camera, const Exposure& exposure);
 
 /// Gain of a sensor at an ISO speed.
 struct Gain {
   double dn_per_electron;
-  double white_dn;  ///< above the black level, a whole number; 1 to 65535
+  double white_dn;  ///< raw number of white minus black level, whole; 1 to 65535
 };
 
-/// Gain at ISO speed S: an exposure of 78/S lx s fills the converter's range. White is at the end of
-/// that range, or at full well if that is lower.
+/// Gain at ISO speed S, at which an exposure of 78/S lx s fills the converter's range. White is at the top of that
+/// range, or at full well if that is lower.
 ///
 /// Source  ISO 12232
-/// Throws  Error  when camera or speed is outside its range, or white is not at least 1 DN above black
+/// Throws  Error  when the camera or the speed is outside its range, or white is less than 1 DN above black
 Gain gain_at(const Camera& camera, double iso);
 
-/// Luminance at which the camera saturates [cd/m²]: as in exposure_scale, but with the optics' own transmission;
-/// lower if full well comes first.
+/// Luminance at which the camera saturates [cd/m²]: 1 / exposure_scale, but computed with the transmission of the
+/// camera's own optics. It is lower if full well is reached first.
 ///
-/// Throws  Error  as electrons_per_cd_m2
+/// Throws  Error  as for electrons_per_cd_m2
 double saturation_cd_m2(const Camera& camera, const Exposure& exposure);
 
-/// Refuses a camera with a number outside its range.
-///
-/// Throws  Error
+/// Throws  Error  when a property of the camera is outside its range
 void require_sound(const Camera& camera);
 
 }  // namespace coppermoon::colour

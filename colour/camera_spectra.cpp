@@ -38,13 +38,13 @@ double product(std::span<const double> one, std::span<const double> other) {
   return std::inner_product(one.begin(), one.end(), other.begin(), 0.);
 }
 
-/// Signals that a spectrum in 1 nm bands produces with three sensitivity curves.
+/// Signals of three channels with given sensitivity curves for a light spectrum, both in 1 nm bands.
 glm::dvec3 signals(const algebra::Grid<double>& curves, std::span<const double> spectrum) {
   return {product(curves.row(0), spectrum), product(curves.row(1), spectrum),
           product(curves.row(2), spectrum)};
 }
 
-/// Spectra of the patches under D65 in 1 nm bands; the first patch is a perfect white.
+/// Spectra of the ColorChecker's patches under D65, in 1 nm bands. The first is a perfect white.
 algebra::Grid<double> lit_patches() {
   static const auto table = algebra::parse_table(tables::colour_checker(), "colour_checker.csv");
   std::vector<std::string> names;
@@ -58,12 +58,12 @@ algebra::Grid<double> lit_patches() {
   return lit;
 }
 
-/// Patches as the CIE observer sees them (XYZ divided by the Y of white), and as a camera does (white-balanced).
+/// Colours of the patches: XYZ divided by the Y of white for the CIE observer, white-balanced signals for the camera.
 struct Seen {
-  std::vector<glm::dvec3> xyz, balanced;  ///< the first is white
+  std::vector<glm::dvec3> xyz, balanced;  ///< the first patch is white
 };
 
-/// A row of the matrix, by least squares over the patches. Its coefficients sum to the value of white, to keep white.
+/// One row of the colour matrix, fitted to the patches by least squares. Its sum is fixed so that white stays white.
 glm::dvec3 fitted_row(const Seen& seen, int row) {
   const double white = seen.xyz.front()[row];
   double rr = 0, rg = 0, gg = 0, rt = 0, gt = 0;
@@ -100,7 +100,7 @@ void fit(CameraSpectra& camera, const std::string& name) {
   glm::dmat3 rows;
   for (int row = 0; row < 3; ++row) rows[row] = fitted_row(seen, row);
   camera.xyz_from_balanced = glm::transpose(rows);
-  constexpr double alike = 1e-4;  // real cameras have 0.3 to 0.6
+  constexpr double alike = 1e-4;  // determinants of real cameras are 0.3 to 0.6
   const double determinant = glm::determinant(camera.xyz_from_balanced);
   double most = 0;
   for (int i = 0; i < 9; ++i)
@@ -110,7 +110,7 @@ void fit(CameraSpectra& camera, const std::string& name) {
         "{}: columns r, g and b tell no colours, allowed three curves that differ", name));
   const auto to_d65 =
       (glm::inverse(channels_from_xyz(WorkingSpace::linear_rec709)) * glm::dvec3(1)) /
-      seen.xyz.front();  // within 2e-4 of 1
+      seen.xyz.front();  // each component is within 2e-4 of 1
   for (std::size_t i = 1; i < seen.xyz.size(); ++i) {
     const double error =
         delta_e_2000(lab_from_xyz(to_d65 * seen.xyz[i]),
@@ -164,7 +164,7 @@ CameraSpectra read(const std::string& file) {
   return camera;
 }
 
-/// All cameras in the built-in table.
+/// All cameras in the built-in table, by name.
 const std::map<std::string, CameraSpectra, std::less<>>& built_in() {
   static const auto cameras = [] {
     const auto table = algebra::parse_table(tables::camera_spectra(), "camera_spectra.csv");

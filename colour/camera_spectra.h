@@ -16,45 +16,45 @@ namespace coppermoon::colour {
 
 /// Spectral sensitivity of a camera's red, green and blue channels, lens and filters included, and its colour matrix.
 struct CameraSpectra {
-  algebra::Table table;   ///< columns wavelength_nm, r, g, b; of any scale
+  algebra::Table table;   ///< columns wavelength_nm, r, g, b; sensitivities on any scale
   glm::dvec3 daylight{};  ///< signals from a white surface under D65, in the table's unit × nm
-  glm::dmat3 xyz_from_balanced{1};  ///< from signals divided by `daylight`; white has Y = 1
+  glm::dmat3 xyz_from_balanced{1};  ///< maps signals / `daylight` to XYZ; white has Y = 1
   double mean_delta_e = 0,
-         most_delta_e = 0;  ///< CIEDE2000 over the patches that the matrix is fitted to
+         most_delta_e = 0;  ///< mean and largest CIEDE2000 error over the patches used in the fit
 };
 
 /// Names of the cameras in data/camera_spectra.csv: canon-eos-600d, nikon-d850, sony-ilce-7m3, …
 const std::vector<std::string>& camera_spectra_names();
 
-/// Finds the camera in camera_spectra_names that a photograph's header calls, for instance, "NIKON CORPORATION NIKON
-/// D850" or "ILCE-7M3"; nothing for others.
+/// Entry of camera_spectra_names for a camera as a photograph's header names it, such as "NIKON CORPORATION NIKON D850"
+/// or "ILCE-7M3". Returns nothing for other cameras.
 std::optional<std::string> spectral_camera_of(std::string_view name_in_header);
 
 /// Whether a response is spectral: one of camera_spectra_names, or a file whose name ends in .csv.
 bool is_spectral(std::string_view response);
 
-/// Spectra of a camera, and the matrix that turns its channels into colours.
+/// Spectral sensitivities of a camera, and the matrix that turns its channels into colours.
 ///
-/// The matrix from white-balanced channels to XYZ is fitted by least squares to the 24 patches of a ColorChecker
-/// under D65, keeping white as white. Raw converters use matrices of this kind.
+/// The matrix from white-balanced channels to XYZ is fitted by least squares to the 24 patches of a ColorChecker under
+/// D65, keeping white as white. Raw converters use matrices of this kind.
 ///
-/// Given     response  one of camera_spectra_names, or a .csv file: columns wavelength_nm, increasing; r, g and b, 0 or
-///                     more; 10 to 100000 rows. Only 380 to 780 nm count
+/// Given     response  one of camera_spectra_names, or a .csv file with 10 to 100000 rows and the columns wavelength_nm
+///                     (increasing), r, g and b (0 or more). Only 380 to 780 nm count
 /// Accuracy  CIEDE2000 over the patches: mean 0.6 to 1.4, largest 1.9 to 4.3
-/// Omits     differences between specimens, and between lenses
+/// Omits     differences between specimens of a camera, and between lenses
 /// Throws    Error     for any other name, listing the valid ones; for a file that is not such a table; for channels
 ///                     that see nothing, or are too alike to tell colours apart
 /// Source    rawtoaces-data of the Academy Software Foundation; ColorChecker: N. Ohta (1997)
 CameraSpectra camera_spectra(const std::string& response);
 
-/// Refuses a response that is neither spectral nor "colorimetric", the CIE 1931 observer.
+/// Refuses a response that is neither spectral nor "colorimetric" (the CIE 1931 observer).
 ///
-/// Throws  Error  as camera_spectra
+/// Throws  Error  as for camera_spectra
 void require_spectral(const std::string& response);
 
-/// Weights like those of the other xyz_weights, for the XYZ that a camera's matrix makes from its channels. D65 keeps
-/// its XYZ for the CIE 1931 observer. A camera whose curves are linear combinations of that observer's gives the same
-/// weights as that observer.
+/// Weights that turn band means of a spectral radiance into the XYZ that a camera's matrix makes from its channels. D65
+/// gets the same XYZ as for the CIE 1931 observer. If the camera's curves are linear combinations of that observer's,
+/// all weights are the same as for that observer.
 ///
 /// Given     edges_nm  as in xyz_weights
 /// Returned  [X Y Z][band], cd/m² per W m⁻² sr⁻¹ nm⁻¹; some are negative

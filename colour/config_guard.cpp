@@ -28,7 +28,7 @@ void require_regular(const fs::path& path) {
     throw Error(fmt::format("{}: cannot be read: it is no regular file", path.string()));
 }
 
-/// Throws  Error  for too many aliases ("*name"); some in quoted text are counted too
+/// Throws  Error  for too many YAML aliases ("*name"); text in quotes that looks like an alias may count too
 void require_few_aliases(const fs::path& config) {
   constexpr std::ptrdiff_t most = 16;
   static const std::regex comment("\\s*#.*"), alias("(^|[\\s,:\\[{-])\\*[A-Za-z0-9]");
@@ -44,7 +44,7 @@ void require_few_aliases(const fs::path& config) {
 
 /// Throws  Error  for a CTF look-up table that names another file
 void require_no_reference(const fs::path& table) {
-  constexpr std::size_t head = 16384;  // OpenColorIO looks for CTF's mark in the first 5 kB
+  constexpr std::size_t head = 16384;  // OpenColorIO looks for the mark of a CTF in the first 5 kB
   std::ifstream file(table, std::ios::binary);
   std::string text(head, ' ');
   file.read(text.data(), head);
@@ -56,8 +56,8 @@ void require_no_reference(const fs::path& table) {
                             table.string()));
 }
 
-/// Walks over everything that a configuration consists of: its named elements, and all that these refer to in turn. An
-/// element's size is its number of transforms.
+/// Visits every named element of a configuration and, in turn, all elements to which it refers. The size of an element
+/// is its number of transforms, including those of the elements to which it refers.
 class Walk {
  public:
   explicit Walk(const ocio::Config& config) : config_(config) {}
@@ -100,7 +100,7 @@ class Walk {
     return sizes_[key] = size;
   }
 
-  /// Size of an element's transforms in both directions; 0 if there is no such element.
+  /// Number of an element's transforms, summed over both directions; 0 if the element does not exist.
   template <class Named, class Direction>
   double both_ways(const char* kind, const Named& named, Direction there, Direction back) {
     if (!named) return 0;
@@ -155,10 +155,10 @@ class Walk {
     const fs::path path = config_.getCurrentContext()->resolveFileLocation(name);
     require_regular(path);
     require_no_reference(path);
-  } catch (const ocio::Exception&) {  // missing: reported when it is needed
+  } catch (const ocio::Exception&) {  // a missing file is reported when it is needed
   }
 
-  /// Size of the looks in a list such as OpenColorIO's "a, +b : -c | d", which also collects the spaces they work in.
+  /// Number of transforms in a list of looks, such as "a, +b : -c | d". Adds the looks' process spaces to `spaces`.
   double looks_in(const std::string& looks, std::set<std::string>* spaces = nullptr) {
     static const std::regex name("[^,:|+\\-\\s](?:[^,:|]*[^,:|\\s])?");
     const auto list = resolved(looks);
@@ -174,8 +174,8 @@ class Walk {
     return sum;
   }
 
-  /// Size of the conversion from one space through looks to another, including the default view transform if one space
-  /// is scene-referred and another display-referred.
+  /// Number of transforms in the conversion from one space through looks to another. The default view transform counts
+  /// too if some of the spaces are scene-referred and others display-referred.
   double between(const std::string& from, const std::string& to, const std::string& looks = {}) {
     std::set<std::string> spaces{from, to};
     const double sum = space(from) + space(to) + looks_in(looks, &spaces);

@@ -10,11 +10,12 @@ namespace coppermoon::colour {
 /// Reads a configuration from an untrusted file, refusing what would crash OpenColorIO 2.1 or keep it busy for ever.
 ///
 /// Without this guard, a downloaded .ocio can do harm. A colour space, look, view or view transform that refers to
-/// itself overflows the stack. Reading never ends for thirty of them that each use the one before twice, for twenty
-/// YAML aliases that do so, or for a look-up table that is a pipe or /dev/zero, or a CTF that names one.
+/// itself overflows the stack. Reading never ends if thirty of these each use the one before twice, if twenty YAML
+/// aliases do so, or if a look-up table is a pipe or /dev/zero, or a CTF file that names one.
 ///
-/// Throws  Error            names the file, or the first element that refers to itself, is nested more than 64 deep, or
-///                          consists of more than 4096 transforms in all
+/// Throws  Error            when the configuration is refused. The message names the file, or the first element that
+///                          refers to itself, is nested more than 64 deep, or consists of more than 4096 transforms in
+///                          all
 ///         ocio::Exception  when OpenColorIO cannot read the file
 OCIO_NAMESPACE::ConstConfigRcPtr guarded_config(const std::filesystem::path& path);
 

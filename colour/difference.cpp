@@ -26,13 +26,13 @@ double decoded(float coded) {
   return srgb_light(coded);
 }
 
-/// √(C⁷ / (C⁷ + 25⁷)): 0 for greys, 1 for vivid colours.
+/// Rises with chroma C from 0 for greys to 1 for vivid colours: √(C⁷ / (C⁷ + 25⁷)).
 double vividness(double chroma) {
   const double power = std::pow(chroma, 7);
   return std::sqrt(power / (power + std::pow(25., 7)));
 }
 
-/// Colour with a* stretched: L'C'h' in the source.
+/// A colour after CIEDE2000 has stretched its a* axis: L', C' and h' in Sharma et al. (2005).
 struct Stretched {
   double L, a, b, chroma;
   double hue;  ///< 0 to 2π; 0 for a grey
@@ -43,7 +43,7 @@ Stretched stretched(const Lab& colour, double stretch) {
   return {colour.L, a, colour.b, std::hypot(a, colour.b), hue < 0 ? hue + full_turn : hue};
 }
 
-/// Angle from one hue to the other, the shorter way; between opposite hues, the way that does not pass 0.
+/// Signed angle from one hue to another, the shorter way round. Between opposite hues it does not pass through 0.
 double hue_turn(const Stretched& one, const Stretched& other) {
   const double across = one.a * other.b - other.a * one.b,
                along = one.a * other.a + one.b * other.b;
@@ -57,20 +57,20 @@ double mean_hue(const Stretched& one, const Stretched& other, double turn) {
   return hue < 0 ? hue + full_turn : std::fmod(hue, full_turn);
 }
 
-/// T in the source: how sensitivity to hue depends on hue.
+/// T in Sharma et al. (2005): how sensitivity to hue depends on hue.
 double hue_weight(double hue) {
   return 1 - 0.17 * std::cos(hue - radians(30)) + 0.24 * std::cos(2 * hue) +
          // FAULT CIEDE2000's weight of hue: radians(63) => radians(-63)
          0.32 * std::cos(3 * hue + radians(6)) - 0.20 * std::cos(4 * hue - radians(63));
 }
 
-/// R_T in the source: interaction of chroma and hue in blues.
+/// R_T in Sharma et al. (2005): interaction of chroma and hue in blues.
 double blue_rotation(double chroma, double hue) {
   const double from_blue = (hue - radians(275)) / radians(25);
   return -2 * vividness(chroma) * std::sin(radians(60) * std::exp(-from_blue * from_blue));
 }
 
-/// S_L in the source.
+/// S_L in Sharma et al. (2005): the lightness difference is divided by it.
 double lightness_weight(double L) {
   const double squared = (L - 50) * (L - 50);
   return 1 + 0.015 * squared / std::sqrt(20 + squared);

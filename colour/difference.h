@@ -33,9 +33,9 @@ Lab lab_from_srgb(const Rgb& coded);
 ///
 ///     ΔE = √(l² + c² + h² + R_T c h),   l = ΔL'/S_L, c = ΔC'/S_C, h = ΔH'/S_H
 ///
-/// Returned  0 for equal colours; about 1 is just noticeable side by side. Symmetric
+/// Returned  0 for equal colours; about 1 if the difference is just noticeable side by side. Symmetric in its arguments
 /// Accuracy  1e-4 against the 34 published pairs, which are printed to that precision
-/// Omits     adaptation to darkness, neighbouring colours, size: it holds for samples in a lit room
+/// Omits     effects of dark adaptation, neighbouring colours and size; it holds for samples in a lit room
 /// Source    Sharma, Wu & Dalal (2005), Color Res. Appl. 30, 21
 double delta_e_2000(const Lab& one, const Lab& other);
 

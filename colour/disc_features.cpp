@@ -13,14 +13,14 @@ namespace {
 
 using Values = algebra::Grid<float>;
 
-constexpr double beside = 1.12, margin = 1.3;  // in radii of the disc; the grids end at the latter
+constexpr double beside = 1.12, margin = 1.3;  // in radii of the disc; grids reach to `margin`
 
 double away_from(double x_px, double y_px, std::size_t row, std::size_t column) {
   return std::hypot(static_cast<double>(column) + 0.5 - x_px,
                     static_cast<double>(row) + 0.5 - y_px);
 }
 
-/// Values in a ring, with its inner and outer radius relative to the disc's.
+/// Values in a ring around a disc's centre, with both radii given as multiples of the disc's radius.
 std::vector<float> values_between(const Values& picture, const Disc& disc, double inner,
                                   double outer) {
   const double reach = outer * disc.radius_px;
@@ -39,7 +39,7 @@ std::vector<float> values_between(const Values& picture, const Disc& disc, doubl
   return values;
 }
 
-/// Box mean over 2 reach + 1 pixels in a line, taken as 0 beyond its ends.
+/// Replaces each pixel in a line by the mean over 2 reach + 1 pixels. Beyond its ends, the line counts as 0.
 void blur_line(std::span<float> line, std::size_t stride, std::size_t reach) {
   const std::size_t n = (line.size() + stride - 1) / stride;
   std::vector<double> sums(n + 1);
@@ -51,7 +51,7 @@ void blur_line(std::span<float> line, std::size_t stride, std::size_t reach) {
   }
 }
 
-/// Three box means along both axes: nearly a Gaussian of σ² = reach (reach + 1).
+/// Blurs a grid by three box means along both axes, together nearly a Gaussian of σ² = reach (reach + 1).
 Values blurred(Values grid, std::size_t reach) {
   for (int pass = 0; pass < 3; ++pass) {
     for (std::size_t r = 0; r < grid.rows(); ++r) blur_line(grid.row(r), 1, reach);
@@ -61,7 +61,7 @@ Values blurred(Values grid, std::size_t reach) {
   return grid;
 }
 
-/// A grid that is 1 where a test holds, else 0.
+/// Makes a grid that is 1 where a test of row and column is true, else 0.
 template <class PixelTest>
 Values where(const Values& like, const PixelTest& so) {
   Values grid(like.rows(), like.columns());
@@ -70,7 +70,7 @@ Values where(const Values& like, const PixelTest& so) {
   return grid;
 }
 
-/// Weighted local mean.
+/// Local mean of light, weighted by `counts`.
 Values mean_nearby(const Values& light, const Values& counts, std::size_t reach) {
   Values weighted = light;
   for (std::size_t i = 0; i < light.values().size(); ++i)
@@ -82,13 +82,13 @@ Values mean_nearby(const Values& light, const Values& counts, std::size_t reach)
   return mean;
 }
 
-/// Standard deviation of sky pixels beside the disc, from the median difference between diagonal neighbours.
+/// Standard deviation of the noise in the sky beside a disc, from the median difference between diagonal neighbours.
 double noise_of(const Values& light, const Disc& disc) {
   Values rough(light.rows(), light.columns());
   for (std::size_t r = 1; r < light.rows(); ++r)
     for (std::size_t c = 1; c < light.columns(); ++c)
       rough(r, c) = std::abs(light(r, c) - light(r - 1, c - 1));
-  constexpr double sigma_of_median = 1.0484;  // from a difference's absolute value
+  constexpr double sigma_of_median = 1.0484;  // a pixel's σ / median |difference| of two
   return sigma_of_median * double{quantile(values_between(rough, disc, beside, margin), 0.5)};
 }
 
@@ -96,11 +96,11 @@ float brightest_of(const Values& picture, const Disc& disc, double share) {
   return quantile(values_between(picture, disc, 0, 1), 1 - share);
 }
 
-/// A disc in the middle of a grid, with the sky subtracted.
+/// A picture with the disc in the middle of the grid and the light of the sky subtracted.
 struct Centred {
   Disc disc;
-  Values light, usable;  ///< usable: 1 within the picture
-  float too_bright;      ///< light of clipped pixels
+  Values light, usable;  ///< usable: 1 inside the picture, else 0
+  float too_bright;      ///< light at which pixels are clipped
 };
 
 Centred centred(const Values& picture, const Disc& disc, const Similarity& to_grid,
@@ -128,9 +128,9 @@ Values clipped_in(const Centred& picture) {
                  1);
 }
 
-/// Weights that are 0 beyond the picture, at a clipped limb (which blur moves outward), and at deeply clipped pixels.
+/// Weights: 0 beyond the picture, at a clipped limb (because blur moves it outward), and, if `deeply`, where clipped.
 Values weights_of(const Centred& picture, bool deeply) {
-  constexpr double inner = 0.92;  // of the radius
+  constexpr double inner = 0.92;  // share of the disc's radius
   const auto& disc = picture.disc;
   const auto clipped = clipped_in(picture);
   return where(picture.light, [&](std::size_t r, std::size_t c) {
@@ -140,9 +140,9 @@ Values weights_of(const Centred& picture, bool deeply) {
   });
 }
 
-/// Local mean of the disc's light; if the disc is deeply clipped, of pixels with weight only.
+/// Local mean of the light on the disc. If the disc is deeply clipped, only pixels with a weight above 0 count.
 Values light_nearby(const Centred& picture, const Values& weights, bool deeply) {
-  constexpr double edge = 0.97, reach = 0.25;  // of the radius
+  constexpr double edge = 0.97, reach = 0.25;  // shares of the disc's radius
   const auto& disc = picture.disc;
   const auto& counts = deeply ? weights : picture.usable;
   const auto on_disc = where(picture.light, [&](std::size_t r, std::size_t c) {

@@ -11,31 +11,31 @@ namespace coppermoon::colour {
 struct DiscFeatures {
   algebra::Grid<float> contrast;  ///< −1 beyond the limb
   algebra::Grid<float> weight;    ///< 0 to 1; 0 where the picture carries no information
-  Similarity from_picture;        ///< to these grids, both centred on the disc
+  Similarity from_picture;        ///< maps the picture to these grids; both have the disc centred
   double floor;                   ///< noise floor, relative to the disc's 99th percentile
 };
 
 /// Range of light that a picture resolves.
 struct TonalRange {
-  double clipped = 0;   ///< saturated share of the disc
-  double floor = 0;     ///< as in DiscFeatures
-  bool deeply = false;  ///< whether the saturated share ends at the edge of a shadow: is_deep
+  double clipped = 0;   ///< share of the disc that is saturated
+  double floor = 0;     ///< noise floor, as in DiscFeatures
+  bool deeply = false;  ///< whether the saturated area ends at a shadow's edge (see is_deep)
 };
 
-/// Saturated share of a disc: the share of its pixels within a hundredth of the picture's largest value.
+/// Saturated share of a disc: the share of its pixels that are within 1 % of the picture's largest value.
 double clipped_share(const algebra::Grid<float>& picture, const Disc& disc);
 
-/// Whether the brightest part of a picture is at least four times as bright as the saturation level. If so, the edge of
-/// the clipped area is due to exposure and air, not to markings on the Moon.
+/// Whether the disc's brightest hundredth is more than four times as bright as the level at which the share `clipped`
+/// saturates. If so, the edge of the clipped area shows exposure and air, not markings on the Moon.
 ///
-/// Given  picture  not clipped
-///        clipped  saturated share of the disc
+/// Given  picture  itself not clipped
+///        clipped  share of the disc's pixels that saturate
 bool is_deep(const algebra::Grid<float>& picture, const Disc& disc, double clipped);
 
-/// Features of a disc, scaled to a given radius.
+/// Local contrast of a disc, scaled to a given radius.
 ///
-/// Given  radius_px  at most the disc's own
-///        range      no wider than the picture's own
+/// Given  radius_px  at most the disc's own radius
+///        range      no wider than the range that the picture resolves
 DiscFeatures features_of(const algebra::Grid<float>& picture, const Disc& disc, double radius_px,
                          const TonalRange& range);
 

@@ -32,7 +32,7 @@ bool knows_aces2() {
   return false;
 }
 
-/// The built-in configuration, parsed only once, since it caches the processors made from it.
+/// The built-in configuration, parsed only once because it caches the processors made from it.
 ocio::ConstConfigRcPtr built_in_config() {
   static const auto config = [] {
     std::istringstream text{knows_aces2() ? config_text_of_aces2() : std::string(config_text())};
@@ -69,12 +69,12 @@ std::vector<std::string> spaces_of(const ocio::Config& config) {
   return names;
 }
 
-/// A colour space by its names in the built-in configuration and in another.
+/// The names of one colour space in the built-in configuration and in another.
 struct Bridge {
   std::string ours, theirs;
 };
 
-/// Common names for spaces, in addition to those in the built-in configuration.
+/// Common names of colour spaces, in addition to those in the built-in configuration.
 const std::pair<std::string, std::vector<std::string>> common_names[] = {
     {"lin_rec709",
      {"Linear Rec.709", "Linear BT.709", "Linear sRGB", "Utility - Linear - sRGB",
@@ -83,7 +83,7 @@ const std::pair<std::string, std::vector<std::string>> common_names[] = {
     {"ACES2065-1", {"ACES - ACES2065-1"}},
     {"lin_ciexyzd65_scene", {}}};
 
-/// Names by which another configuration may know a space: aliases, then common names, those of `space` first in each.
+/// Names by which another configuration may know our spaces: aliases, then common names; `space` first in each.
 std::vector<Bridge> known_names(std::string_view space) {
   std::vector<Bridge> all, common;
   for (const bool own : {true, false})
@@ -99,8 +99,8 @@ std::vector<Bridge> known_names(std::string_view space) {
   return all;
 }
 
-/// The space in which one of ours meets a configuration, as described for `developed`. "Linear" comes last, because a
-/// configuration may use that name for ACEScg.
+/// The colour space that connects one of ours with another configuration, found as described for `developed`. "Linear"
+/// comes last, because a configuration may use that name for ACEScg.
 Bridge bridge_to(const ocio::Config& config, const std::string& space) {
   const auto of_scene = [&](const std::string& name) {
     const auto found = config.getColorSpace(name.c_str());
@@ -180,7 +180,7 @@ std::filesystem::path config_for(const std::string& view, const std::string& dis
 
 std::vector<std::string> displays(const std::filesystem::path& path) {
   const auto config = config_at(path);
-  const bool all = path.empty();  // whatever OCIO_ACTIVE_DISPLAYS says
+  const bool all = path.empty();  // even those not in OCIO_ACTIVE_DISPLAYS
   std::vector<std::string> names;
   for (int i = 0; i < (all ? config->getNumDisplaysAll() : config->getNumDisplays()); ++i)
     names.emplace_back(all ? config->getDisplayAll(i) : config->getDisplay(i));
@@ -192,7 +192,7 @@ std::vector<std::string> views(const std::string& display, const std::filesystem
   const auto named = display_named(display, path);
   const char* of = named.c_str();
   std::vector<std::string> names;
-  if (path.empty())  // all, whatever OCIO_ACTIVE_VIEWS says
+  if (path.empty())  // all views, even those not in OCIO_ACTIVE_VIEWS
     for (const auto type : {ocio::VIEW_DISPLAY_DEFINED, ocio::VIEW_SHARED})
       for (int i = 0; i < config->getNumViews(type, of); ++i)
         names.emplace_back(config->getView(type, of, i));

@@ -7,15 +7,15 @@ namespace coppermoon::colour {
 struct Exposure {
   double time_s = 1;    ///< 1e-6 to 1e6
   double f_number = 8;  ///< 0.5 to 512
-  double iso = 100;     ///< 1 to 1e7; the saturation-based speed
+  double iso = 100;     ///< saturation-based speed, 1 to 1e7
 };
 
-/// Focal-plane exposure that saturates a sensor of ISO 1 [lx s].
+/// Focal-plane exposure that saturates a sensor at ISO 1 [lx s].
 ///
 /// Source  ISO 12232
 constexpr double saturation_exposure_lx_s = 78;
 
-/// Pixel value that a scene luminance of 1 cd/m² becomes, if 1.0 saturates the sensor.
+/// Pixel value for a scene luminance of 1 cd/m², on a scale where 1.0 saturates the sensor.
 ///
 ///     value = q L t S / (78 N²),    q = 0.65
 ///
@@ -27,8 +27,8 @@ constexpr double saturation_exposure_lx_s = 78;
 /// Source    ISO 12232
 double exposure_scale(const Exposure& exposure);
 
-/// Actual settings, in whole thirds or halves of a stop, behind the rounded ones that a camera shows: 1/30 s is 1/32 s,
-/// f/5.6 is f/5.657, 30 s is 32 s. A setting that no camera shows stays as it is, as do times above 30 s.
+/// Exact settings, in whole thirds or halves of a stop, for the rounded ones that a camera shows: 1/30 s is really 1/32
+/// s, f/5.6 is f/5.657, 30 s is 32 s. Settings that no camera shows are returned unchanged, as are times above 30 s.
 ///
 /// Source  CIPA DC-008 (EXIF 2.32), annex C: time values of 5 and 7 are shown as 1/30 and 1/125 s; W. Fulton,
 ///         scantips.com/lights/fstop2.html: nominal and precise series

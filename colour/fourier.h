@@ -12,12 +12,12 @@ using Spectrum = algebra::Grid<std::complex<double>>;
 
 enum class Direction { forward, back };
 
-/// The smallest length from `length` on that transforms fast: one with no prime factors but 2, 3 and 5.
+/// The smallest length, at least `length`, that is fast to transform because its only prime factors are 2, 3 and 5.
 std::size_t quick_length(std::size_t length);
 
 /// Fourier transform of rows and columns, in place.
 ///
-/// Returned  not normalised: forward and back multiply the grid by the number of its values
+/// Returned  not normalised: transforming forward and back multiplies the grid by the number of its values
 void fourier_transform(Spectrum& spectrum, Direction direction);
 
 }  // namespace coppermoon::colour

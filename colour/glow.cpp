@@ -21,7 +21,7 @@ constexpr double inner_rad = 20 * pi / 180 / 3600, outer_rad = 6 * pi / 180,
 
 double logarithm_of_range() { return std::log(outer_squared / inner_squared); }
 
-/// Share of the glow within the source's own pixel, averaged over directions.
+/// Share of the glow that stays in the source's own pixel, averaged over directions.
 double within_own_pixel(double pixel_rad) {
   double share = 0;
   for (const auto& [x, weight] : algebra::gauss_legendre(24))
@@ -29,7 +29,7 @@ double within_own_pixel(double pixel_rad) {
   return share;
 }
 
-/// Share of the glow that falls in the pixel at an offset in columns and rows.
+/// Share of the glow that falls in a pixel the given number of columns and rows away from the source.
 double within_pixel(std::size_t columns, std::size_t rows, double pixel_rad) {
   const std::size_t away = std::max(columns, rows);
   if (away == 0) return within_own_pixel(pixel_rad);
@@ -59,7 +59,7 @@ Spectrum transfer(std::size_t rows, std::size_t columns, double share, double pi
   return spread;
 }
 
-/// Convolves two channels at once, as real and imaginary parts; the kernel is even, so its transform is real.
+/// Convolves two channels at once, as real and imaginary parts. The kernel is even, so its transform is real.
 void spread(Image& picture, const Spectrum& transfer, std::size_t first, std::size_t second) {
   Spectrum all(transfer.rows(), transfer.columns());
   for (std::size_t r = 0; r < picture.rows(); ++r)

@@ -42,12 +42,12 @@ void require_luminance(const Luminance& image) {
 /// A point of the limb, found along a radius.
 struct LimbPlace {
   glm::dvec2 outward;
-  double offset_px;  ///< outward from the circle tried
-  double weight;     ///< in the fit
-  double seen;       ///< square root of the step of light
+  double offset_px;  ///< distance outward from the trial circle
+  double weight;     ///< for the fit of the circle
+  double seen;       ///< square root of the drop in light at the limb
 };
 
-/// Light along a radius, averaged over 2/3 degree of position angle; empty if the radius leaves the picture.
+/// Light along part of a radius, averaged over 2/3 degree in angle. Empty if that part leaves the picture.
 std::vector<double> profile(const Luminance& image, const Disc& disc, double angle,
                             double half_width_px) {
   constexpr int steps = 32;
@@ -80,14 +80,14 @@ Spread spread_of(std::span<const double> values) {
   return {mean, std::sqrt(squares) / n};
 }
 
-/// A picture, and the light above which it is clipped.
+/// A picture and the light level above which it is clipped.
 struct Picture {
   const Luminance& image;
   double clipped;
 };
 
-/// The profile from the inner end of its brightest stretch (above three quarters of the maximum) outward; a thin
-/// crescent ends there.
+/// The part of a profile from the inner end of its brightest stretch (above three quarters of the maximum) outward.
+/// Light further in is left out, because a thin crescent ends there.
 std::span<const double> ground_and_sky(std::span<const double> light) {
   constexpr double of_brightest = 0.75;
   const auto quarter = light.size() / 4;
@@ -99,7 +99,7 @@ std::span<const double> ground_and_sky(std::span<const double> light) {
   return light.subspan(static_cast<std::size_t>(begin - ground.begin()));
 }
 
-/// The step of light at the limb, placed so that a sharp step has the same area under it.
+/// Finds the place where light drops at the limb: a sharp drop there would give the same area under the profile.
 std::optional<LimbPlace> limb_place(const Picture& picture, const Disc& disc, double angle,
                                     double half_width_px) {
   constexpr double clearly = 4, of_clipped = 0.3;
@@ -134,7 +134,7 @@ double residual(const LimbPlace& place, const glm::dvec3& shift) {
   return place.offset_px - glm::dot(place.outward, glm::dvec2(shift)) - shift.z;
 }
 
-/// Correction to a circle's x, y and radius, by least squares with Tukey's biweight against outliers.
+/// Correction to a circle's x, y and radius, fitted to points of the limb by least squares with Tukey's biweight.
 glm::dvec3 shift_onto(const std::vector<LimbPlace>& places) {
   glm::dvec3 shift(0);
   for (int pass = 0; pass < 12; ++pass) {
@@ -156,14 +156,14 @@ glm::dvec3 shift_onto(const std::vector<LimbPlace>& places) {
   return shift;
 }
 
-/// A circle, and the evidence that it is a limb.
+/// A circle and the strength of the evidence that it is the Moon's limb.
 struct Found {
   Disc disc;
   double evidence;
 };
 
-/// Sum of the square roots of the steps of light on a circle, times its radius; 0 when less than a quarter of the
-/// circle is limb, or more than a quarter of the steps lie off the circle.
+/// Evidence that a circle is a limb: the sum of the square roots of the drops in light along it, times its radius. It
+/// is 0 if less than a quarter of the circle is limb, or more than a quarter of the drops lie off it.
 double evidence_of(const std::vector<LimbPlace>& places, const Disc& disc) {
   const double near_px = std::max(0.7, 0.03 * disc.radius_px);
   int degrees = 0;
@@ -179,7 +179,7 @@ double evidence_of(const std::vector<LimbPlace>& places, const Disc& disc) {
   return degrees >= 85 && on_it >= 0.75 * all ? disc.radius_px * evidence : 0;
 }
 
-/// Fits the circle to the limb repeatedly, along ever shorter pieces of the radii.
+/// Fits a circle to the limb in five passes, which search ever shorter parts of the radii.
 Found measured(const Picture& picture, Disc disc, double last_share) {
   std::vector<LimbPlace> places;
   for (const double wider : {1.6, 1.2, 1., 1., 1.}) {
@@ -194,9 +194,9 @@ Found measured(const Picture& picture, Disc disc, double last_share) {
   return {disc, evidence_of(places, disc)};
 }
 
-/// Unevenness of the sky beside a disc: the sky's own steps of light and its excess over its darkest fifth, relative to
-/// the steps from disc to sky. It is above a half for edges that continue beyond the circle (corner, horizon) or for a
-/// steady slope, and infinite for a disc without visible contrast.
+/// Unevenness of the sky beside a disc: the sum of its changes in light and its excess over its darkest fifth, relative
+/// to the drop in light from disc to sky. It is above 0.5 if the edge continues beyond the circle (corner, horizon) or
+/// is a steady slope, and infinite for a disc without visible contrast.
 double unevenness(const Luminance& image, const Disc& disc) {
   constexpr double band = 0.1;
   const double wide_px = std::max(2., band * disc.radius_px);
@@ -213,7 +213,7 @@ double unevenness(const Luminance& image, const Disc& disc) {
     limb += std::max(0., std::max(mean(0), mean(1)) - mean(2));
     beyond.push_back(mean(3));
   }
-  constexpr double least_contrast = 0.02;  // four of sRGB's 255 steps are 0.05 and more
+  constexpr double least_contrast = 0.02;  // a contrast of four sRGB steps is at least 0.05
   const double sky = std::reduce(beyond.begin(), beyond.end());
   if (limb <= 0 || limb < least_contrast * sky) return std::numeric_limits<double>::infinity();
   const double dark = quantile(beyond, 0.2);
@@ -221,7 +221,7 @@ double unevenness(const Luminance& image, const Disc& disc) {
   return uneven / limb;
 }
 
-/// Share of the steps of light near a disc's edge that lie on the edge.
+/// Share of the drops in light near a disc's edge that lie on the edge itself.
 double roundness(const Picture& picture, const Disc& disc) {
   const double near_px = std::max(0.6, 0.05 * disc.radius_px);
   double on_it = 0, all = 0;
@@ -232,7 +232,7 @@ double roundness(const Picture& picture, const Disc& disc) {
   return all > 0 ? on_it / all : 0;
 }
 
-/// Whether a disc is round and stands before an even sky.
+/// Whether a disc is round and surrounded by an even sky.
 bool stands_alone(const Picture& picture, const Disc& disc) {
   return unevenness(picture.image, disc) <= 0.5 && roundness(picture, disc) >= 0.75;
 }
@@ -243,7 +243,7 @@ bool alike(const Disc& a, const Disc& b) {
          std::abs(a.radius_px - b.radius_px) < near_px;
 }
 
-/// The likely circle with the most evidence.
+/// Of the likely circles in a picture, the one with the strongest evidence.
 Found found_in(const Luminance& image) {
   const Picture picture{image, 0.98 * *std::ranges::max_element(image.values())};
   std::vector<Disc> tried;
@@ -267,9 +267,9 @@ std::size_t reduction_of(std::size_t rows, std::size_t columns) {
   return (std::max(rows, columns) + longest_px - 1) / longest_px;
 }
 
-/// The best circle in a part of a picture, binned to 400 pixels, and further if noise hides the limb.
+/// The best circle in part of a picture, binned to at most 400 pixels, and further if noise hides the limb.
 Found found_within(const Luminance& image, const PicturePart& part) {
-  constexpr double least_reduced_px = 20;  // large enough to tell a square by its corners
+  constexpr double least_reduced_px = 20;  // a square smaller than this could pass for a disc
   std::size_t by = reduction_of(part.rows, part.columns);
   for (int level = 0; level < 3; ++level, by *= 2) {
     if (std::min(part.rows, part.columns) < 16 * by) break;
@@ -283,7 +283,7 @@ Found found_within(const Luminance& image, const PicturePart& part) {
   return {{}, 0};
 }
 
-/// Surroundings of the brightest place, where a Moon that is small in the picture may be.
+/// The part of a picture around its brightest place, where a small Moon may be.
 PicturePart about_the_brightest(const Luminance& image) {
   constexpr std::size_t mean_over = 4, reach = 8;
   const auto by = mean_over * reduction_of(image.rows(), image.columns());

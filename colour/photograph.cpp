@@ -23,10 +23,10 @@ using std::numbers::pi;
 
 constexpr double arcsec_rad = pi / 180 / 3600;
 
-/// Mean wavelengths of a working space's red, green and blue.
+/// Mean wavelengths of red, green and blue, for the diffraction in each channel.
 constexpr std::array channels_nm{600., 545., 455.};
 
-/// Adapts algebra's random numbers to a generator for the standard distributions.
+/// Adapts algebra::Random so that the standard library's distributions can draw from it.
 struct Bits {
   using result_type = std::uint64_t;
   algebra::Random random;
@@ -65,7 +65,7 @@ Image spread(const Image& scene_linear, const Camera& camera, double pixel_rad) 
   return result;
 }
 
-/// A sensor with its settings: converts a channel's balanced luminance to a raw number, and back.
+/// A sensor at given settings. It converts a channel's white-balanced luminance to a raw number, and back.
 class Readout {
  public:
   Readout(const Camera& camera, const Shot& shot)
@@ -77,7 +77,7 @@ class Readout {
     pixels_ = shot.pixel_rad * shot.pixel_rad / (sensor_rad * sensor_rad);
   }
 
-  /// Mean raw number over the sensor's pixels that one pixel stands for.
+  /// Raw number of one pixel in the picture: the mean over the sensor's pixels that it covers.
   std::uint16_t raw(double luminance, double sensitivity, Bits& bits) const {
     const auto& sensor = camera_.sensor;
     const double well = pixels_ * sensor.full_well_e;
@@ -94,7 +94,7 @@ class Readout {
         std::clamp(std::round(sensor.black_level_dn + signal + added), 0., top_));
   }
 
-  /// Balanced ratio of a raw number to that at green's saturation, no more than that of white.
+  /// Raw number as a share of saturation, white-balanced by the channel's sensitivity; at most 1, the value of white.
   double developed(std::uint16_t raw, double sensitivity) const {
     return std::min(1., (raw - camera_.sensor.black_level_dn) / (gain_.white_dn * sensitivity));
   }
@@ -105,7 +105,7 @@ class Readout {
   static double normal(Bits& bits) { return std::normal_distribution<double>()(bits); }
 
   static double set_free(double mean, Bits& bits) {
-    constexpr double many = 1e8;  // the distribution is practically normal by then
+    constexpr double many = 1e8;  // above this, Poisson's distribution is practically normal
     if (mean > many) return std::max(0., mean + std::sqrt(mean) * normal(bits));
     return static_cast<double>(std::poisson_distribution<std::int64_t>(mean)(bits));
   }
@@ -127,12 +127,12 @@ Colours colours_of(const Camera& camera, WorkingSpace space) {
   const auto to_sensor = response.from_xyz * glm::inverse(working);
   if (camera.sensor.response != "luminance")
     return {to_sensor, glm::inverse(to_sensor), response.sensitivity};
-  // a sensor without colours gives grey, the mean of three equal channels
+  // A monochrome sensor gives grey, the mean of three equal channels.
   const auto grey = white(space) / 3.;
   return {to_sensor, {grey, grey, grey}, response.sensitivity};
 }
 
-/// A sensor without colours has one channel.
+/// Raw pixel of a monochrome sensor, whose only channel is stored three times.
 RawPixel as_one(const RawPixel& raw) { return {raw[1], raw[1], raw[1]}; }
 
 }  // namespace
@@ -161,7 +161,7 @@ Photograph photographed(const Image& scene_linear, WorkingSpace space, const Cam
       glm::dvec3 balanced;
       for (int k = 0; k < 3; ++k)
         balanced[k] = readout.developed(raw[static_cast<std::size_t>(k)], colours.sensitivity[k]);
-      constexpr double sound = 0.9;  // low enough that noise does not reach saturation
+      constexpr double sound = 0.9;  // share of saturation that is too low for noise to exceed it
       result.valid(r, c) = std::max({balanced.r, balanced.g, balanced.b}) < sound ? 1.F : 0.F;
       const glm::dvec3 scene = result.saturation_cd_m2 * (colours.from_sensor * balanced);
       for (int k = 0; k < 3; ++k)

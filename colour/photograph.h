@@ -11,11 +11,11 @@
 
 namespace coppermoon::colour {
 
-/// One release of the shutter.
+/// One shot: camera settings, scale of the scene, and sky.
 struct Shot {
   Exposure exposure{};
-  double pixel_rad = 1e-5;  ///< angle across a pixel of the scene's frame
-  double sky_cd_m2 = 0;     ///< luminance of the sky, as white as D65; 0 or more
+  double pixel_rad = 1e-5;  ///< angle that a pixel of the scene's frame covers
+  double sky_cd_m2 = 0;     ///< luminance of the sky, which is as white as D65; 0 or more
   std::uint64_t seed = 1, frame = 0;
 };
 
@@ -23,29 +23,28 @@ using RawPixel = std::array<std::uint16_t, 3>;
 
 /// A photograph, both developed and raw.
 struct Photograph {
-  /// Luminances with the camera's noise, so some are below 0; clipped pixels are white at saturation.
+  /// Luminances with the camera's noise, which takes some below 0. Clipped pixels are white, at saturation.
   Image scene_linear;
-  algebra::Grid<float> valid;   ///< 1 below nine tenths of saturation in each channel, else 0
+  algebra::Grid<float> valid;   ///< 1 if every channel is below nine tenths of saturation, else 0
   algebra::Grid<RawPixel> raw;  ///< red, green and blue of each pixel, black level included [DN]
-  double saturation_cd_m2 = 0;  ///< of white
+  double saturation_cd_m2 = 0;  ///< luminance at which white saturates
 };
 
 /// Simulates a photograph of a scene.
 ///
-/// Aperture and air spread light, both nearby and far (glow.h), and the sky adds its own. The sensor's response turns
-/// light into electrons, with Poisson noise if noise is on. A pixel holds no more than its full
-/// well. Amplifier and converter add their noise. The result is whole numbers of the sensor's bit depth, clipped at
-/// both ends. In the developed picture, no channel exceeds white at the saturation of the most sensitive channel.
+/// The aperture and the air spread light, both nearby and far (see glow.h), and the sky adds light. The sensor's
+/// response turns light into electrons, with Poisson noise if noise is on. A pixel holds no more than its full well.
+/// Amplifier and converter add their noise. Raw values are whole numbers of the sensor's bit depth, clipped at both
+/// ends. In the developed picture, no channel exceeds white at the saturation of the most sensitive channel.
 ///
-/// If a pixel in the frame covers n of the sensor's pixels (n may be below 1), it is their mean, with n times the
+/// A pixel of the frame that covers n of the sensor's pixels (n may be below 1) is their mean, from n times the
 /// electrons.
 ///
-/// Given     scene_linear  [cd/m²] of the working space, finite
+/// Given     scene_linear  channels of the working space [cd/m²], finite
 /// Returned  the same for the same seed and frame, whatever the number of threads
-/// Omits     glow from beyond the frame; the mosaic of colour filters (every pixel has three
-///           channels), dark current, banding, dust, reflections
-/// Throws    Error         when a pixel is not finite, or camera, exposure, pixel or sky is outside its
-///                         range
+/// Omits     glow from beyond the frame; the mosaic of colour filters (every pixel has three channels), dark current,
+///           banding, dust, reflections
+/// Throws    Error         when a pixel is not finite, or the camera, exposure, pixel size or sky is outside its range
 Photograph photographed(const Image& scene_linear, WorkingSpace space, const Camera& camera,
                         const Shot& shot);
 

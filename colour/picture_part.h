@@ -18,7 +18,7 @@ PicturePart window_about(const Disc& disc, std::size_t rows, std::size_t columns
 
 /// Bins part of a picture by a whole factor along both axes, dropping leftover columns and rows.
 ///
-/// Given  by  1 or more
+/// Given  by  the factor, 1 or more
 algebra::Grid<float> reduced(const algebra::Grid<float>& picture, const PicturePart& part,
                              std::size_t by);
 

@@ -22,7 +22,7 @@ using std::numbers::pi;
 /// 2 J₁(x)/x
 double jinc(double x) { return std::abs(x) < 1e-4 ? 1 - x * x / 8 : 2 * ::j1(x) / x; }
 
-/// Distance of a wrapped index from 0.
+/// Distance of an index from 0 along a line that wraps around.
 double from_first(std::size_t i, std::size_t length) {
   return static_cast<double>(std::min(i, length - i));
 }
@@ -32,8 +32,8 @@ double spreads_a_pixel(const Blur& blur, double pixel_rad) {
   return pixel_rad * blur.aperture.diameter_m / (blur.wavelength_nm * 1e-9);
 }
 
-/// Mean of the diffraction pattern over the pixel at an offset in pixels, sampled four times per λ/D where it is
-/// steep.
+/// Mean of the diffraction pattern over a pixel whose offset from the centre is given in pixels. Where the pattern is
+/// steep, it is sampled four times per λ/D.
 double over_a_pixel(const Blur& blur, double pixel_rad, double x, double y) {
   const double away = std::hypot(x, y), most = away < 2 ? 128 : away < 8 ? 16 : 1;
   const double wanted = std::max(4., 4 * spreads_a_pixel(blur, pixel_rad));
@@ -67,13 +67,13 @@ Spectrum diffraction_transfer(const Blur& blur, double pixel_rad, std::size_t ro
   return spread;
 }
 
-/// The least seeing that is applied. Narrower seeing spreads less than 1e-5 of the light beyond a pixel.
+/// Seeing below this width is left out, because it spreads less than 1e-5 of the light beyond a pixel.
 constexpr double least_seeing_px = 1 / 32.;
 
-/// Transfer function of seeing as sampled by pixels: the sum over all aliases of a frequency in cycles per pixel.
+/// Transfer function of seeing as sampled by pixels: the sum over a frequency (cycles per pixel) and all its aliases.
 ///
-/// The sum over the aliases alone is smooth in the squares of the frequency's components, so it is interpolated by a
-/// polynomial through Chebyshev nodes.
+/// The part of the sum that is due to aliases is smooth in the squares of the frequency's components, so it is
+/// interpolated by a polynomial through Chebyshev nodes.
 ///
 /// Accuracy  1e-9
 class SampledSeeing {
@@ -91,12 +91,12 @@ class SampledSeeing {
     whole_ = 1 + summed(along(counts(0)), counts(0));
   }
 
-  /// Weight of each node for one component of a frequency, -1/2 to 1/2.
+  /// Weight of each interpolation node for one component of a frequency, -1/2 to 1/2.
   Counts counts(double frequency) const {
     return algebra::on_polynomial<count>(squares_, frequency * frequency);
   }
 
-  /// Sums over aliases at the nodes of x, for one component y.
+  /// Sums over aliases at each node in x, interpolated in y with the given weights.
   Counts along(const Counts& of_y) const {
     Counts line{};
     for (std::size_t i = 0; i < count; ++i)
@@ -114,7 +114,7 @@ class SampledSeeing {
   }
 
   static double of_others(double x, double y, double width_px) {
-    constexpr double last = 3;  // cycles per width; only 2e-10 is left there
+    constexpr double last = 3;  // cycles per width of seeing, at which only 2e-10 is left
     const int folds = static_cast<int>(std::ceil(last / width_px));
     double sum = 0;
     for (int i = -folds; i <= folds; ++i)
@@ -152,7 +152,7 @@ void multiply_by_seeing(Spectrum& spectrum, double width_px) {
 }
 
 /// Converts an index in the padded picture to one in the picture. The first half of the padding repeats the last row or
-/// column, the second half the first.
+/// column, and the second half repeats the first.
 std::size_t inside(std::size_t i, std::size_t length, std::size_t padded) {
   if (i < length) return i;
   return i < (length + padded) / 2 ? length - 1 : 0;
@@ -170,7 +170,7 @@ Spectrum padded(const algebra::Grid<double>& picture) {
   return all;
 }
 
-/// The picture without its padding. Rounding in the transforms does not take a value below the picture's minimum.
+/// Cuts off the padding. Values that rounding took below the picture's minimum are raised to it.
 algebra::Grid<double> cut_out(const Spectrum& all, const algebra::Grid<double>& picture) {
   const double count = static_cast<double>(all.rows() * all.columns());
   const double least = *std::ranges::min_element(picture.values());
@@ -206,7 +206,7 @@ double seeing_transfer(double cycles_per_rad, double width_rad) {
 algebra::Grid<double> blurred(const algebra::Grid<double>& picture, const Blur& blur,
                               double pixel_rad) {
   require_sound(blur, pixel_rad);
-  constexpr double unseen = 32;  // widths λ/D per pixel
+  constexpr double unseen = 32;  // width of a pixel in λ/D, from which diffraction is not seen
   const bool diffracts = blur.wavelength_nm != 0 && spreads_a_pixel(blur, pixel_rad) < unseen;
   const double seeing_px = blur.seeing_rad / pixel_rad;
   const bool seethes = seeing_px >= least_seeing_px;

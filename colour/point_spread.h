@@ -21,9 +21,9 @@ double diffraction_spread_per_sr(const Aperture& aperture, double wavelength_nm,
 
 /// Long-exposure transfer function of turbulent air (seeing).
 ///
-///     exp(−3.44 (ν F / 0.976)^(5/3))      F: full width at half maximum of a star
+///     exp(−3.44 (ν F / 0.976)^(5/3))      F: full width at half maximum of a star's image
 ///
-/// Given   cycles_per_rad  ν
+/// Given   cycles_per_rad  the frequency ν
 /// Omits   that F falls with the fifth root of the wavelength; the outer scale of turbulence
 /// Source  Fried (1966), J. Opt. Soc. Am. 56, 1372, with r₀ = 0.976 λ/F
 double seeing_transfer(double cycles_per_rad, double width_rad);
@@ -31,16 +31,16 @@ double seeing_transfer(double cycles_per_rad, double width_rad);
 /// Blur of one channel: diffraction and seeing.
 struct Blur {
   Aperture aperture{};
-  double wavelength_nm = 550;  ///< for diffraction; if 0, none
-  double seeing_rad = 0;       ///< full width at half maximum; if 0, none
+  double wavelength_nm = 550;  ///< for diffraction; 0 means no diffraction
+  double seeing_rad = 0;       ///< full width at half maximum; 0 means no seeing
 };
 
 /// Convolves a picture with diffraction and seeing.
 ///
-/// Given     picture    of square pixels; continued beyond its edge by its edge pixels
+/// Given     picture    has square pixels; beyond its edges, the edge pixels are repeated
 ///           pixel_rad  angle across a pixel, above 0
 /// Returned  not below 0 if the picture is not; light is conserved, except what crosses an edge
-/// Accuracy  1e-9 of the brightest pixel, from the transforms. Diffraction is averaged over a pixel,
+/// Accuracy  1e-9 of the brightest pixel, in the transforms. Diffraction is averaged over a pixel,
 ///           which widens it by 0.29 pixel (standard deviation)
 /// Omits     diffraction if a pixel is 32 λ/D or more across (about a hundredth of a star's light); seeing of
 ///           less than 1/32 pixel (1e-5 of a star's light)

@@ -7,8 +7,8 @@
 
 namespace coppermoon::colour {
 
-/// Quantile of some values: a share (0 to 1) of them lies below it. Takes the nearest value below, without
-/// interpolation; 0 if there are no values.
+/// Quantile of values: the given share of them, 0 to 1, lies below it. Returns one of the values, without
+/// interpolation, or 0 if there are none.
 template <class Number>
 Number quantile(std::vector<Number> values, double share) {
   if (values.empty()) return 0;

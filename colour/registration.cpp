@@ -21,8 +21,8 @@ namespace {
 using Values = algebra::Grid<float>;
 using std::numbers::pi;
 
-constexpr double within_limb = 0.92, beyond_limb = 1.2;             // of the disc's radius
-constexpr double least_correlation = 0.4, least_of_markings = 0.3;  // by chance up to 0.29
+constexpr double within_limb = 0.92, beyond_limb = 1.2;             // shares of the disc's radius
+constexpr double least_correlation = 0.4, least_of_markings = 0.3;  // up to 0.29 occurs by chance
 
 /// Sums for a weighted correlation.
 struct Sums {
@@ -56,15 +56,15 @@ double middle_of(const DiscFeatures& features) {
 /// A pixel in the photograph's disc.
 struct Seen {
   glm::dvec2 at;        ///< column and row
-  double away_squared;  ///< from the disc's middle
+  double away_squared;  ///< square of the distance from the disc's centre
   double weight, contrast;
 };
 
-/// Features of both discs, scaled to the same radius.
+/// Features of the photograph's and the render's disc, scaled to the same radius.
 struct Pair {
   DiscFeatures photo, render;
   double radius_px;
-  std::vector<Seen> seen = {};                                ///< those with weight, to beyond_limb
+  std::vector<Seen> seen = {};                                ///< weighted pixels up to beyond_limb
   algebra::Grid<std::array<double, 2>> weight_contrast = {};  ///< of the render
   double last_column, last_row;                               ///< of the render
 
@@ -88,7 +88,7 @@ struct Pair {
       weight_contrast.values()[i] = {render.weight.values()[i], render.contrast.values()[i]};
   }
 
-  /// Weight and contrast of the render at a point, interpolated as by between_pixels.
+  /// Weight and contrast of the render at a point, interpolated as in between_pixels.
   std::array<double, 2> rendered(const glm::dvec2& pixel) const {
     const double x = pixel.x - 0.5, y = pixel.y - 0.5;
     if (!(x >= 0 && y >= 0 && x < last_column && y < last_row))
@@ -107,7 +107,7 @@ struct Pair {
   }
 };
 
-/// Map from the render's grid to the photograph's.
+/// The similarity that maps the render's grid to the photograph's for a given pose.
 Similarity similarity_of(const Pair& pair, const Pose& pose) {
   const auto& [turn, growth, x, y] = pose.parts;
   Similarity similarity{std::exp(growth), turn, 0, 0, pose.mirrored};
@@ -118,8 +118,8 @@ Similarity similarity_of(const Pair& pair, const Pose& pose) {
   return similarity;
 }
 
-/// Calls `act` for each pixel of the photograph's disc that lies within a share of the radius and that the render shows
-/// too. Passes the square of its distance from the centre relative to that limit, the weight, and both contrasts.
+/// Calls `act` for each pixel of the photograph's disc, out to a share of the radius, that the render shows too. Passes
+/// the squared distance from the centre relative to that limit, the weight, and both contrasts.
 void for_all_shared(const Pair& pair, const Pose& pose, double out_to, const auto& act) {
   const auto back = inverse(similarity_of(pair, pose));
   const auto corner = moved(back, {0.5, 0.5}), across = moved(back, {1.5, 0.5}) - corner,
@@ -133,7 +133,7 @@ void for_all_shared(const Pair& pair, const Pose& pose, double out_to, const aut
   }
 }
 
-/// Correlation of the discs for a given pose, within a share of their radius.
+/// Correlation of both discs' contrasts for a given pose, out to a share of their radius.
 double correlation(const Pair& pair, const Pose& pose, double out_to) {
   Sums sums;
   for_all_shared(pair, pose, out_to,
@@ -141,8 +141,8 @@ double correlation(const Pair& pair, const Pose& pose, double out_to) {
   return sums.correlation();
 }
 
-/// Correlation after subtracting the mean of each ring around the centre, since any bright ball darkens towards its
-/// limb.
+/// Correlation of markings alone: the mean of each ring around the centre is subtracted, because any bright ball
+/// darkens towards its limb.
 double correlation_of_markings(const Pair& pair, const Pose& pose) {
   constexpr std::size_t count = 24;
   std::array<Sums, count> rings;
@@ -191,7 +191,7 @@ double correlation(const Rings& photo, const Rings& render, std::size_t turn, bo
   return sums.correlation();
 }
 
-/// Poses with the rotations at which the rings' correlation peaks, the best first.
+/// Up to four poses with the rotations at which the correlation of the rings peaks, the best first.
 std::vector<Pose> likely_poses(const Pair& pair) {
   constexpr std::size_t some = 4;
   const auto photo = rings_of(pair.photo, pair.radius_px),
@@ -224,7 +224,7 @@ struct Corner {
   double height;
 };
 
-/// One step of the simplex method, which maximises. Source: Nelder & Mead (1965), Computer Journal 7, 308.
+/// One step of the simplex method towards a maximum. Source: Nelder & Mead (1965), Computer Journal 7, 308.
 void climb(std::array<Corner, 5>& simplex, const std::function<double(const Parts&)>& height) {
   std::ranges::sort(simplex, std::greater{}, &Corner::height);
   Parts middle{};
@@ -252,8 +252,8 @@ void climb(std::array<Corner, 5>& simplex, const std::function<double(const Part
   }
 }
 
-/// The pose of greatest correlation near a first guess, with the guess's scale or with any. Steps shrink from `begin`
-/// to `end_px`.
+/// The pose of greatest correlation near a first guess, whose scale may be kept. Steps shrink from `begin` [radii, rad]
+/// to `end_px` pixels at the limb.
 Pose refined(const Pair& pair, Pose pose, bool of_its_scale, double begin, double end_px) {
   constexpr std::size_t growth = 1;
   const auto height = [&](const Parts& parts) {
@@ -277,8 +277,8 @@ Pose refined(const Pair& pair, Pose pose, bool of_its_scale, double begin, doubl
   return pose;
 }
 
-/// A pose with the rotation at which markings correlate best, within 1.5 degrees of its own. The limb does not depend
-/// on rotation, yet its blur favours poses whose pixels fall between those of the photograph.
+/// Adjusts a pose's rotation by up to 1.5 degrees so that markings correlate best. The limb says nothing about
+/// rotation, yet its blur favours poses whose pixels fall between those of the photograph.
 Pose turned(const Pair& pair, Pose pose) {
   for (const double step : {0.5 * pi / 180, 0.1 * pi / 180}) {
     const auto before = pose;
@@ -293,7 +293,7 @@ Pose turned(const Pair& pair, Pose pose) {
   return pose;
 }
 
-/// The Moon with some sky around it, binned as far as its features stay resolved.
+/// The Moon with some sky around it, binned as far as possible while its features remain resolved.
 struct CloseUp {
   Values picture;
   Disc disc;
@@ -307,7 +307,7 @@ Disc disc_in(const Values& picture, const char* name) {
 }
 
 CloseUp close_up(const Values& picture, const Disc& disc) {
-  constexpr double margin = 1.4, enough_px = 640;  // radii; four times what fine features need
+  constexpr double margin = 1.4, enough_px = 640;  // [radii]; 4 times the finest radius used
   const double by = std::max(1., std::floor(disc.radius_px / enough_px));
   const auto part = window_about({disc.x_px, disc.y_px, margin * disc.radius_px}, picture.rows(),
                                  picture.columns());
@@ -317,7 +317,7 @@ CloseUp close_up(const Values& picture, const Disc& disc) {
           {by, 0, left, top}};
 }
 
-/// Both discs. Their features are taken at the same radius, those of the render within the photograph's tonal range.
+/// The photograph's and the render's disc. Features of both have the same radius and the photograph's tonal range.
 struct Discs {
   CloseUp photo, render;
   double clipped;  ///< saturated share of the photograph's disc

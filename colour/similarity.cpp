@@ -12,7 +12,7 @@
 namespace coppermoon::colour {
 namespace {
 
-/// Rotates, scales and mirrors a vector by a similarity, without the shift.
+/// Applies a similarity's mirroring, rotation and scale to a vector, but not its shift.
 glm::dvec2 turned(const Similarity& by, const glm::dvec2& v) {
   const double c = by.scale * std::cos(by.rotation_rad), s = by.scale * std::sin(by.rotation_rad);
   const double x = by.mirrored ? -v.x : v.x;
@@ -27,7 +27,7 @@ double between_pixels(const algebra::Grid<float>& image, const glm::dvec2& pixel
              columns = static_cast<std::ptrdiff_t>(image.columns());
   if (!(x > -1 && y > -1 && x < static_cast<double>(columns) && y < static_cast<double>(rows)))
     return 0;
-  // The cast truncates; adding 1 first makes it a floor for x > −1.
+  // A cast rounds towards 0; with 1 added first, it rounds down for all x > −1.
   const auto column = static_cast<std::ptrdiff_t>(x + 1) - 1,
              row = static_cast<std::ptrdiff_t>(y + 1) - 1;
   const double across = x - static_cast<double>(column), down = y - static_cast<double>(row);
@@ -49,7 +49,7 @@ double between_pixels(const algebra::Grid<float>& image, const glm::dvec2& pixel
 
 namespace {
 
-/// Overlap of two unit triangles, each smoothed by another: ∫ (Λ∗Λ)(x) (Λ∗Λ)(x + apart) dx, the B-spline of order 8.
+/// Overlap of two smoothed triangles Λ∗Λ at a distance: ∫ (Λ∗Λ)(x) (Λ∗Λ)(x + apart) dx, the B-spline of order 8.
 double overlap(double apart) {
   constexpr std::array binomials{1., -8., 28., -56., 70., -56., 28., -8., 1.};
   constexpr double factorial = 5040;
@@ -106,7 +106,7 @@ double noise_of_means(double scale) {
   algebra::require_within("scale of a picture", scale, 1e-4, 1e4);
   constexpr double pair = 2;
   const double points = std::ceil(scale - 1e-9), step = scale / points;
-  // ∫ h(x) h(x + apart) dx for the weights h along one side
+  // ∫ h(x) h(x + apart) dx, where h is the weight along one side of a pixel
   const auto overlap_of_pixels = [&](double apart) {
     double sum = points * overlap(apart);
     for (double k = 1; k < points; ++k)  // pairs of points k steps apart

@@ -12,12 +12,12 @@ namespace coppermoon::colour {
 ///
 ///     X = scale (c m x − s y) + x_px,  Y = scale (s m x + c y) + y_px
 ///
-/// c, s: cosine and sine of the rotation; m: −1 when mirrored, else 1. Pixels from the upper left
-/// corner, y down, the first pixel's centre at (0.5, 0.5); so positive rotations are clockwise.
+/// Here c and s are the cosine and sine of the rotation, and m is −1 when mirrored, else 1. Pixels count from the upper
+/// left corner, with y down and the first pixel's centre at (0.5, 0.5), so positive rotations are clockwise.
 struct Similarity {
   double scale = 1, rotation_rad = 0;
-  double x_px = 0, y_px = 0;  ///< where the upper left corner goes
-  bool mirrored = false;      ///< whether left and right are swapped, before all else
+  double x_px = 0, y_px = 0;  ///< where the upper left corner ends up
+  bool mirrored = false;      ///< whether left and right are swapped first
 };
 
 /// Where a point in the first picture lies in the other.
@@ -25,45 +25,46 @@ glm::dvec2 moved(const Similarity& similarity, const glm::dvec2& pixel);
 
 /// The inverse similarity.
 ///
-/// Given  similarity  its scale not 0
+/// Given  similarity  with a scale other than 0
 Similarity inverse(const Similarity& similarity);
 
-/// Two similarities, one after the other, combined into one.
+/// The similarity that applies `first`, then `second`.
 Similarity composed(const Similarity& first, const Similarity& second);
 
-/// A picture as it lies in another: interpolated bilinearly between pixel centres, or averaged over each
+/// A picture resampled to the pixels of another: interpolated bilinearly between pixel centres, or averaged over each
 /// pixel when it is scaled down.
 class Resampled {
  public:
   /// Given   image       must outlive this object
   ///         similarity  from the image to the other picture; scale above 0
-  /// Throws  Error       when the scale is not 1e-4 to 1e4
+  /// Throws  Error       when the scale is outside 1e-4 to 1e4
   Resampled(const algebra::Grid<float>& image, const Similarity& similarity);
 
-  /// A pixel in the other picture; 0 if the image does not reach it.
+  /// The image's value at a pixel of the other picture; 0 if the image does not reach that far.
   float at(std::size_t row, std::size_t column) const;
 
  private:
   const algebra::Grid<float>* image_;
   glm::dvec2 corner_, across_, down_;
-  int side_;  ///< samples across a pixel
+  int side_;  ///< samples along one side of a pixel
 };
 
-/// Resamples an image over the whole of the other picture.
+/// Resamples an image to all pixels of another picture.
 ///
-/// Returned  rows × columns. A grid of ones becomes the share of each pixel that it covers
-/// Throws    Error  as Resampled
+/// Returned  rows × columns. An image of ones gives the share of each pixel that the image covers
+/// Throws    Error  as for Resampled
 algebra::Grid<float> resampled(const algebra::Grid<float>& image, const Similarity& similarity,
                                std::size_t rows, std::size_t columns);
 
-/// Noise in a mean over many pixels of a resampled picture: the mean's variance times the number of pixels, divided by
-/// the variance of one pixel, which is half the mean square difference between pixels two apart in a row.
+/// Noise of a mean over many pixels of a resampled picture: the variance of the mean times the number of pixels,
+/// divided by the variance of one pixel. The latter is taken as half the mean square difference between pixels two
+/// apart in a row.
 ///
-/// The image's own noise is assumed to come from bilinear interpolation between a sensor's pixels, either those of one
-/// colour or in a rotated image. If the image's pixels are independent instead, the result is up to twice too large.
+/// The image is assumed to be interpolated bilinearly from a sensor's pixels, either among those of one colour or by a
+/// rotation. If its pixels are independent instead, the result is up to twice too large.
 ///
 /// Given     scale  number of the image's pixels along one pixel of the other picture, 1e-4 to 1e4
-/// Accuracy  6 % for scales of 1 or more, averaged over where pixels fall; also for a rotated picture
+/// Accuracy  6 % for scales of 1 or more, averaged over the positions of pixels; also for a rotated picture
 /// Throws    Error  when the scale is out of range
 double noise_of_means(double scale);
 

@@ -12,7 +12,7 @@
 namespace coppermoon::colour {
 namespace {
 
-/// Standard deviation that the three components leave at each level; see Accuracy for ToneCurve.
+/// Standard deviation that the three components leave unexplained at each level; see the accuracy of ToneCurve.
 constexpr double left_over = 0.025;
 
 constexpr double first_level = 0.04, last_level = 0.96;

@@ -7,31 +7,31 @@
 
 namespace coppermoon::colour {
 
-/// How many numbers describe a camera's tone curve: three for principal components, and sixteen for the residuals at
+/// Number of parameters of a camera's tone curve: three for principal components, and sixteen for the residuals at
 /// evenly spaced levels.
 inline constexpr std::size_t tone_components = 3, tone_levels = 16,
                              tone_numbers = tone_components + tone_levels;
 
-/// How the levels in a camera's JPEG relate to light. Each number is in standard deviations over cameras, so it is
-/// 0 ± 1 before anything is known; all 0 is the mean camera.
+/// How the levels in a camera's JPEG relate to light. Each number counts in standard deviations over cameras, so it is
+/// 0 ± 1 before anything is known; all 0 is the average camera.
 ///
 ///     ln(scene / displayed) = m(v) + Σ a_k p_k(v) + Σ b_j r_j(v)
 ///
-/// with v the coded level, displayed its light by sRGB, m and p_k the mean and the principal
-/// components over cameras, r_j a tent of height 0.025 around one of sixteen levels. Scene light is in a unit
-/// such that level 0.5 has the light that sRGB gives it: the curve does not depend on exposure.
+/// Here v is the coded level and `displayed` its light in sRGB, m and p_k are the mean and the principal components
+/// over cameras, and r_j is a triangle of height 0.025 around one of sixteen levels. Scene light is in a unit such that
+/// it equals displayed light at level 0.5, so the curve does not depend on exposure.
 ///
-/// Accuracy  0.025 RMS with the three components alone, for five cameras that are not in the table and levels
-///           0.05 to 0.93
+/// Accuracy  0.025 RMS with the three components alone, for levels 0.05 to 0.93 of five cameras that are not in the
+///           table
 /// Omits     local contrast, colour saturation, mixing of channels
-/// Source    data/camera_tone_curves.csv, after the model of Grossberg & Nayar (2004), IEEE Trans. PAMI 26,
-///           1272: mean and principal components of measured curves
+/// Source    data/camera_tone_curves.csv, after the model of Grossberg & Nayar (2004), IEEE Trans. PAMI 26, 1272: mean
+///           and principal components of measured curves
 struct ToneCurve {
   std::array<double, tone_numbers> numbers{};
 };
 
 /// Range of displayed light for which curves are known: levels 0.047 to 0.93. Below it, few cameras were measured;
-/// above it, cameras let highlights run into white.
+/// above it, cameras let highlights fade to white.
 inline constexpr double least_displayed = 0.00364, most_displayed = 0.8481;
 
 /// Logarithm of the ratio of scene light to displayed light.
@@ -42,7 +42,7 @@ double tone_logarithm(const ToneCurve& curve, double displayed);
 /// Derivatives of tone_logarithm with respect to each of the curve's numbers.
 std::array<double, tone_numbers> tone_derivatives(double displayed);
 
-/// A tone curve as a table, for fast use on pixels.
+/// A tone curve as a table, for fast conversion of pixels.
 class ToneTable {
  public:
   explicit ToneTable(const ToneCurve& curve);
@@ -53,7 +53,7 @@ class ToneTable {
   float operator()(float displayed) const;
 
  private:
-  std::vector<float> factors_;  // by the square root of displayed light
+  std::vector<float> factors_;  // indexed by the square root of displayed light
 };
 
 }  // namespace coppermoon::colour

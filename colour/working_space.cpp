@@ -47,7 +47,7 @@ const Space& about(WorkingSpace space) { return spaces[static_cast<std::size_t>(
 
 glm::dvec3 direction_of(glm::dvec2 xy) { return {xy.x, xy.y, 1 - xy.x - xy.y}; }
 
-/// XYZ for a chromaticity at luminance 1.
+/// XYZ of a colour with the given chromaticity and luminance 1.
 glm::dvec3 unit_xyz(glm::dvec2 xy) { return direction_of(xy) / xy.y; }
 
 glm::dmat3 xyz_from_rgb(const Primaries& p) {
@@ -56,7 +56,7 @@ glm::dmat3 xyz_from_rgb(const Primaries& p) {
   return {axes[0] * scale.x, axes[1] * scale.y, axes[2] * scale.z};
 }
 
-/// Chromatic adaptation from one white to another, by Bradford's cone responses.
+/// Chromatic adaptation from one white to another, with Bradford's cone responses.
 glm::dmat3 adaptation(glm::dvec2 from_white, glm::dvec2 to_white) {
   const glm::dmat3 cones = glm::transpose(
       glm::dmat3{0.8951, 0.2664, -0.1614, -0.7502, 1.7135, 0.0367, 0.0389, -0.0685, 1.0296});
@@ -87,7 +87,7 @@ glm::dvec3 vector_of(std::span<const double> channels) {
   return {channels[0], channels[1], channels[2]};
 }
 
-/// The least share of grey to mix with a colour so that no channel is negative.
+/// The least share of grey that must be mixed into a colour so that no channel is negative.
 double share_of_grey(const glm::dvec3& colour, const glm::dvec3& grey) {
   double share = 0;
   for (int i = 0; i < 3; ++i)
@@ -189,7 +189,7 @@ void into_gamut(WorkingSpace space, std::span<double> channels) {
   const double share = share_of_grey(colour, grey);
   for (int i = 0; i < 3; ++i)
     channels[static_cast<std::size_t>(i)] =
-        std::max(0.0, colour[i] + share * (grey[i] - colour[i]));  // below 0 only by rounding
+        std::max(0.0, colour[i] + share * (grey[i] - colour[i]));  // below 0 only due to rounding
 }
 
 }  // namespace coppermoon::colour

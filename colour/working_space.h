@@ -13,7 +13,7 @@
 
 namespace coppermoon::colour {
 
-/// Colour space of a scene-linear image. White is D65 in all: R = G = B in the RGB spaces.
+/// Colour space of a scene-linear image. White is D65 in all of them, and has R = G = B in the RGB spaces.
 enum class WorkingSpace { linear_rec709, acescg, ciexyz_d65 };
 
 /// Name of a space in file names and in config.ocio: lin_rec709, acescg, lin_ciexyzd65_scene.
@@ -24,7 +24,7 @@ std::string_view name(WorkingSpace space);
 /// Source  ASWF Color Interop Forum, Color Space Encodings for Texture Assets and CG Rendering 1.1.0 (July 2026)
 std::string_view interop_id(WorkingSpace space);
 
-/// All names of a space, `name` first.
+/// All names of a space; the first is the one that `name` returns.
 std::span<const std::string_view> aliases(WorkingSpace space);
 
 /// The space with a given name or alias, matched without regard to case.
@@ -35,29 +35,29 @@ WorkingSpace working_space(std::string_view name_or_alias);
 /// The space that a file's name contains, without regard to case, as in "moon_acescg.0001.exr"; nothing if none.
 std::optional<WorkingSpace> space_in_name(std::string_view file_name);
 
-/// Whether a file's name contains the name of a different colour space, as "moon_aces.exr" does.
+/// Whether a file's name contains the name of a colour space other than the three, as "moon_aces.exr" does.
 bool names_another_space(std::string_view file_name);
 
-/// Matrix from absolute XYZ (for a D65 scene) to the channels of a space; white of luminance Y has R = G = B = Y.
+/// Matrix from absolute XYZ (scene white D65) to the channels of a space; white of luminance Y has R = G = B = Y.
 ///
-/// Rec.709 shares the scene's white. ACEScg's white is close to D60, so colours are adapted by
-/// Bradford's cone responses. Derived from the primaries in double precision.
+/// Rec.709 shares the scene's white. ACEScg's white is close to D60, so colours are adapted with
+/// Bradford's cone responses. The matrix is derived from the primaries in double precision.
 ///
 /// Source  ITU-R BT.709; SMPTE ST 2065-1 and S-2014-004 (ACEScg); Lam (1985), as in ICC.1 annex E
 glm::dmat3 channels_from_xyz(WorkingSpace space);
 
-/// Weights from band means of spectral radiance to the channels of a space.
+/// Weights that turn band means of spectral radiance into the channels of a space.
 ///
 /// Given     edges_nm  as in xyz_weights
 ///           response  a camera, as in camera_spectra, whose filters see the light and whose matrix turns it into
-///                     colours; any that is not spectral (is_spectral) means the CIE 1931 observer
+///                     colours; one that is not spectral (see is_spectral) means the CIE 1931 observer
 /// Returned  weights   [channel][band], cd/m² per W m⁻² sr⁻¹ nm⁻¹
-/// Throws    Error     as xyz_weights, camera_spectra
+/// Throws    Error     as for xyz_weights and camera_spectra
 algebra::Grid<double> channel_weights(WorkingSpace space, std::span<const double> edges_nm,
                                       const std::string& response = {});
 
-/// x and y of red, green, blue and white, as in an OpenEXR file's `chromaticities` attribute. For XYZ: its axes and
-/// the equal-energy white (1, 1, 1).
+/// x and y of red, green, blue and white, as in an OpenEXR file's `chromaticities` attribute. For XYZ, these are
+/// its axes and the equal-energy white (1, 1, 1).
 std::array<float, 8> chromaticities(WorkingSpace space);
 
 /// Luminance Y of a colour [cd/m²].
@@ -65,7 +65,7 @@ std::array<float, 8> chromaticities(WorkingSpace space);
 /// Given  channels  three
 double luminance(WorkingSpace space, std::span<const double> channels);
 
-/// The largest of a colour's Rec.709 channels, whichever space the colour is in: the first to clip [cd/m²].
+/// The largest of a colour's Rec.709 channels, in whichever space the colour is given [cd/m²]. It is the first to clip.
 ///
 /// Given  channels  three
 double brightest_channel(WorkingSpace space, std::span<const double> channels);

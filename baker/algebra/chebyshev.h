@@ -6,7 +6,7 @@
 
 namespace coppermoon::algebra {
 
-/// Node i of n, in order from −1 to 1, for `chebyshev_series`.
+/// Position of the i-th of n Chebyshev nodes, at which `chebyshev_series` takes its values. They increase from −1 to 1.
 double chebyshev_node(int i, int n);
 
 /// Coefficients c of the Chebyshev series Σ c_k T_k that passes through the values at all nodes.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vocabulary for results that describe themselves. Beside each result stands a function
+// Vocabulary for results that describe themselves. Beside each result type stands a function
 //
 //     template <class Field>
 //     void describe(Field&& is, const Result& result);
@@ -32,7 +32,7 @@ inline constexpr Unit none{""}, degrees{"degrees"}, metres{"m"}, kilometres{"km"
     luminance{"cd/m²"}, illuminance{"lx"}, stops{"stops"}, pixels{"pixels"}, bytes{"bytes"};
 }  // namespace unit
 
-/// An optional value whose key is left out of documents if it has no value. A plain std::optional becomes null instead.
+/// An optional value. If it is missing, documents leave out its key; for a plain std::optional they write null instead.
 template <class Value>
 struct IfAny {
   std::optional<Value> value;
@@ -43,7 +43,7 @@ IfAny<Value> if_any(std::optional<Value> value) {
   return {std::move(value)};
 }
 
-/// A value that belongs to a thing: documents leave out its key if there is no such thing, and have null if the thing has
+/// A value of an optional thing. Documents leave out its key if the thing is missing, and write null if the thing has
 /// no such value.
 template <class Thing, class Function>
 auto of_any(const std::optional<Thing>& thing, Function&& value) {
@@ -55,13 +55,13 @@ auto of_any(const std::optional<Thing>& thing, Function&& value) {
 template <class Value>
 using ByName = std::vector<std::pair<std::string, Value>>;
 
-/// One word out of those that are allowed.
+/// A word, and all words that are allowed.
 struct Word {
   std::string_view word;
   std::vector<std::string_view> allowed;
 };
 
-/// An optional angle in degrees.
+/// Converts an optional angle to degrees.
 inline std::optional<double> in_degrees(const std::optional<Angle>& angle) {
   return angle ? std::optional(in_degrees(*angle)) : std::nullopt;
 }

@@ -8,15 +8,15 @@
 
 namespace coppermoon::algebra {
 
-/// The library's one exception type, for wrong input: one line that names the value, its unit and
-/// what is allowed. The program prints it and exits 1.
+/// The library's only exception type, thrown for wrong input. Its message is one line that names the value, its unit
+/// and what is allowed. The program prints the message and exits with status 1.
 struct Error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws Error("<what> = <value>, allowed <lowest> to <highest>") unless lowest <= value <=
-/// highest. A NaN is always refused. `what` includes the unit: "wavelength [nm]". The value is printed with six digits,
-/// or with as many as it takes to tell it from the limit.
+/// Throws Error("<what> = <value>, allowed <lowest> to <highest>") unless lowest <= value <= highest. A NaN is always
+/// refused. `what` includes the unit: "wavelength [nm]". The value is printed with six digits, or with more if six
+/// cannot distinguish it from a limit.
 inline void require_within(std::string_view what, double value, double lowest, double highest) {
   if (value >= lowest && value <= highest) return;
   const auto short_text = [](double x) { return fmt::format("{:g}", x); };

@@ -13,7 +13,7 @@
 
 namespace coppermoon::algebra {
 
-/// Allocator that returns zeroed memory. The system provides a page only when it is written to.
+/// Allocator that returns zeroed memory. The system provides each page only when it is first written to.
 template <class T>
 struct ZeroedMemory {
   using value_type = T;
@@ -36,7 +36,7 @@ struct ZeroedMemory {
   bool operator==(const ZeroedMemory&) const { return true; }
 };
 
-/// Values over two indices, stored row by row.
+/// Two-dimensional array of values, stored row by row.
 template <class T>
 class Grid {
  public:

@@ -8,37 +8,37 @@
 
 namespace coppermoon::algebra {
 
-/// Where a value lies among increasing ones: the indices of its neighbours below and above, and the fraction of the way
-/// from one to the other. Beyond either end, both indices are that end.
+/// Position of a value in an increasing sequence: the indices of its neighbours below and above, and the fraction of
+/// the way from the lower to the upper one. Beyond either end of the sequence, both indices are those of that end.
 struct OnLine {
   std::size_t below, above;
-  double further;  ///< 0 to 1
+  double further;  ///< fraction of the way from `below` to `above`, 0 to 1
 };
 
-/// Given  x  increasing, one or more
+/// Finds where `at` lies in x, which holds one or more increasing values.
 OnLine on_line(std::span<const double> x, double at);
 
-/// Linear interpolation between points (x, y). Beyond the ends, the end values hold.
+/// Linear interpolation between points (x, y). Beyond the ends the result is constant.
 ///
 /// Given  x  increasing
 double interpolated(std::span<const double> x, std::span<const double> y, double at);
 
-/// Mean over [from, to] of the piecewise linear function through points (x, y). Beyond the ends, the end values hold.
+/// Mean over [from, to] of the piecewise linear function through points (x, y), which is constant beyond the ends.
 double mean_between(std::span<const double> x, std::span<const double> y, double from, double to);
 
-/// Lagrange weights of the nodes: they give the value at x of the polynomial through all of the nodes.
+/// Lagrange weights: values at the nodes, times these weights, add up to the value at x of the polynomial through them.
 ///
 ///     c_i = Π_{j≠i} (x − x_j) / (x_i − x_j)
 ///
 /// Given     nodes  x_i, all different
 ///           at     x
-/// Returned  [node], with a sum of 1
+/// Returned  [node]; the weights add up to 1
 std::vector<double> on_polynomial(std::span<const double> nodes, double at);
 
-/// Writes the same weights into a span as long as `nodes`.
+/// Writes the Lagrange weights of `nodes` into a span of the same length.
 void on_polynomial(std::span<const double> nodes, double at, std::span<double> weights);
 
-/// The same weights for a number of nodes that is known at compile time.
+/// Lagrange weights for a number of nodes that is known at compile time.
 template <std::size_t size>
 std::array<double, size> on_polynomial(std::span<const double, size> nodes, double at) {
   std::array<double, size> weights;
@@ -46,13 +46,13 @@ std::array<double, size> on_polynomial(std::span<const double, size> nodes, doub
   return weights;
 }
 
-/// Indices and weights of four of the values that are spaced evenly around a circle.
+/// Indices and weights for interpolation between values that are spaced evenly around a circle.
 struct OnCircle {
   std::array<std::size_t, 4> at;
-  std::array<double, 4> share;  ///< their sum is 1
+  std::array<double, 4> share;  ///< weights, which add up to 1
 };
 
-/// Cubic interpolation between the two values on either side; constant if the circle has only one value.
+/// Cubic interpolation around a circle, from two values on either side; constant if there is only one value.
 ///
 /// Given  count  number of values around the circle
 ///        turn   position on the circle: 0 at the first value, `count` after a full turn
@@ -61,12 +61,12 @@ OnCircle on_circle(std::size_t count, double turn);
 /// Monotone piecewise cubic interpolation with continuous slope; between two points it stays between their values.
 /// Beyond the ends it continues linearly.
 ///
-/// Source  Fritsch & Butland (1984), SIAM J. Sci. Stat. Comput. 5, 300; slopes at the ends are those to
-///         the neighbouring point
+/// Source  Fritsch & Butland (1984), SIAM J. Sci. Stat. Comput. 5, 300; the slope at either end is that of the
+///         line to the neighbouring point
 class MonotoneCubic {
  public:
-  /// Given  x  increasing, two or more
-  ///        y  as many values
+  /// Given  x  two or more increasing values
+  ///        y  one value for each x
   MonotoneCubic(std::span<const double> x, std::span<const double> y);
   double operator()(double at) const;
 

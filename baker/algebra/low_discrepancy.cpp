@@ -12,10 +12,10 @@ namespace {
 
 constexpr std::size_t digits = std::bit_width(points_a_block) - 1;
 
-using Directions = std::array<std::uint32_t, digits>;  // [binary digit of the point's index]
+using Directions = std::array<std::uint32_t, digits>;  // one per binary digit of a point's index
 
-/// A primitive polynomial with coefficients 0 and 1 (its degree and its inner coefficients), and the first numbers of
-/// the recurrence that it defines.
+/// A primitive polynomial over the binary field, given by its degree and its inner coefficients, and the first numbers
+/// of the recurrence that it defines.
 struct Polynomial {
   std::size_t degree;
   std::uint32_t inner;
@@ -46,7 +46,7 @@ constexpr Directions reversal() {
   return v;
 }
 
-/// Direction numbers for dimension 1 and up.
+/// Direction numbers of Sobol's sequence for dimension 1 and up; dimension 0 needs none.
 constexpr std::array<Directions, most_dimensions - 1> directions{
     reversal(), directions_of(polynomials[0]), directions_of(polynomials[1]),
     directions_of(polynomials[2]), directions_of(polynomials[3])};
@@ -58,7 +58,7 @@ std::uint32_t sobol(const Directions& v, std::size_t point) {
   return value;
 }
 
-/// A source of random bits, which takes 32 bits from each uniform number.
+/// A source of random bits. Each uniform random number yields 32 bits.
 class Bits {
  public:
   explicit Bits(Random& random) : random_(random) {}
@@ -74,7 +74,7 @@ class Bits {
   int left_ = 0;
 };
 
-/// A random permutation of the 1024ths: the halves are exchanged or not, then the quarters within each half, and so on.
+/// Random permutation of the 1024 intervals: the halves are swapped or not, then the quarters in each half, and so on.
 std::array<std::uint32_t, points_a_block> scrambling(Random& random) {
   std::array<std::uint32_t, points_a_block> place{}, finer{};
   Bits bits(random);

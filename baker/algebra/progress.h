@@ -5,7 +5,7 @@
 
 namespace coppermoon::algebra {
 
-/// Callback for progress, called now and then, from any thread, with the fraction done, 0 to 1. It may be empty.
+/// Callback that is told now and then, from any thread, which fraction of the work is done, 0 to 1. It may be empty.
 using Progress = std::function<void(double)>;
 
 }  // namespace coppermoon::algebra

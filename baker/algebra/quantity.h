@@ -8,7 +8,7 @@
 namespace coppermoon::algebra {
 
 /// A number with a dimension, so that passing a wavelength for a length does not compile.
-/// Made and read only through functions that name the unit (`kilometres(42)`, `in_metres(x)`).
+/// Values are made and read only through functions that name the unit (`kilometres(42)`, `in_metres(x)`).
 template <class Dimension>
 class Quantity {
  public:

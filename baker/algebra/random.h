@@ -13,7 +13,7 @@ namespace coppermoon::algebra {
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
                                     std::array<std::uint32_t, 2> key);
 
-/// Random numbers for one photon. `seed` and `index` alone determine the stream, whatever the thread.
+/// Random numbers for one photon. `seed` and `index` alone determine the stream, regardless of the thread.
 class Random {
  public:
   Random(std::uint64_t seed, std::uint64_t index) : seed_(seed), index_(index) {}

@@ -12,7 +12,7 @@ namespace coppermoon::algebra {
 struct Table {
   std::map<std::string, std::vector<double>, std::less<>> columns;
 
-  /// Throws Error if there is no such column.
+  /// The numbers in a column. Throws Error if there is no such column.
   const std::vector<double>& operator[](std::string_view column) const;
 };
 
@@ -20,11 +20,11 @@ struct Table {
 /// the columns, all further lines are numbers.
 ///
 /// Given     text   the table
-///           name   what errors call the table
+///           name   the table's name in error messages
 /// Throws    Error  "<name>:<line>: …" if a cell is not a number or a line has the wrong length
 Table parse_table(std::string_view text, std::string_view name);
 
-/// The cells of such a table as text: [row][column], the header row first.
+/// Splits comma-separated text into cells [row][column], of which the header is the first row. Comments are left out.
 std::vector<std::vector<std::string>> parse_text_table(std::string_view text);
 
 }  // namespace coppermoon::algebra

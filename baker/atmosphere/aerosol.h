@@ -5,8 +5,8 @@
 
 namespace coppermoon::atmosphere {
 
-/// Extinction at 550 nm and 7 km by the aerosol in the free troposphere, in years without eruptions. Measured
-/// at 1.02 µm, it rises linearly from 1e-4 km⁻¹ at 70° south to 7e-4 km⁻¹ at 70° north; a factor of 2.2
+/// Extinction at 550 nm and 7 km by the aerosol in the free troposphere, in years without eruptions. As
+/// measured at 1.02 µm, it rises linearly from 1e-4 km⁻¹ at 70° south to 7e-4 km⁻¹ at 70° north; a factor of 2.2
 /// (Ångström exponent 1.3) converts it to 550 nm.
 ///
 /// Returned  [m⁻¹]  2.2e-7 to 1.5e-6
@@ -19,17 +19,17 @@ double free_troposphere_per_m(algebra::Angle latitude);
 ///     exp(−(h − 7 km) / 3 km)
 ///
 /// Returned  0 from 2 km above the tropopause up
-/// Accuracy  the scale height of LOWTRAN 7 between 3 and 10 km is 2.6 km
+/// Accuracy  for comparison, LOWTRAN 7 has a scale height of 2.6 km between 3 and 10 km
 double free_troposphere_profile(double tropopause_m, double altitude_m);
 
-/// Share of the tropospheric aerosol's vertical optical depth in a metre of altitude [m⁻¹].
+/// Share of the tropospheric aerosol's vertical optical depth per metre of altitude [m⁻¹].
 ///
 ///     exp(−h/H) / H
 ///
 /// Given     scale_m  H: 1.2 km for the boundary layer, if the free troposphere's aerosol is a separate term;
 ///                    2 km for all tropospheric aerosol in one term
-/// Accuracy  with H = 2 km it falls by a factor of 33 between 3 and 10 km, the profiles of LOWTRAN 7 for
-///           23 km of visibility by 30 (spring-summer) and 35 (fall-winter)
+/// Accuracy  with H = 2 km it falls by a factor of 33 between 3 and 10 km; LOWTRAN 7's profiles for a visibility of 23
+///           km fall by factors of 30 (spring-summer) and 35 (fall-winter)
 /// Source    Elterman (1968), AFCRL-68-0153, for 1.2 km; LOWTRAN 7: Kneizys et al. (1988),
 ///           AFGL-TR-88-0177
 double tropospheric_profile_per_m(double scale_m, double altitude_m);

@@ -10,7 +10,7 @@ namespace coppermoon::atmosphere {
 ///     M = (1.002432 c² + 0.148386 c + 0.0096467) / (c³ + 0.149864 c² + 0.0102963 c + 0.000303978)
 ///     c = cos z
 ///
-/// Given     altitude  above the horizon, airless, 90° − z; -1 to 90 degrees
+/// Given     altitude  true (airless), 90° − z; -1 to 90 degrees
 /// Returned  M         1 at the zenith, 31.7 at 0 degrees, 38.4 on the apparent horizon (-0.574
 ///                     degrees) and below it
 /// Throws    Error     when the altitude is outside its range
@@ -28,7 +28,7 @@ double air_mass_young_1994(algebra::Angle altitude);
 /// Source    Schaefer (1993), Vistas in Astronomy 36, 311
 double aerosol_air_mass_schaefer_1993(algebra::Angle apparent_altitude);
 
-/// Air mass of ozone, taken as a thin layer at 22 km above a sphere of R = 6378 km.
+/// Air mass of ozone, which is taken to be a thin layer 22 km above a sphere of radius R = 6378 km.
 ///
 ///     X = 1 / √(1 − (R cos a / (R + 22 km))²)
 ///

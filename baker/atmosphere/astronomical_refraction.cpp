@@ -9,7 +9,7 @@
 namespace coppermoon::atmosphere {
 namespace {
 
-/// Saemundsson's refraction, also a little beyond the zenith, where a limb of a disc may stand.
+/// Refraction by Saemundsson's formula, also slightly beyond the zenith, where a disc near the zenith has its limb.
 algebra::Angle refraction_saemundsson_1986(algebra::Angle true_altitude) {
   const double h = std::max(algebra::in_degrees(true_altitude), -1.0);
   const double tangent = std::tan(algebra::in_radians(algebra::degrees(h + 10.3 / (h + 5.11))));

@@ -41,8 +41,8 @@ void require_valid(const Column& column) {
     throw algebra::Error("density = seasonal, allowed with the air of a latitude and a season");
 }
 
-/// Altitudes where the slope of the density jumps [m]; for seasonal air, which has no jumps, altitudes between
-/// which a few nodes integrate it well.
+/// Altitudes where the slope of the density jumps [m]. Seasonal air has no jumps; for it, these are altitudes that
+/// split the air into parts which a few nodes integrate well.
 std::vector<double> density_breaks(const Column& column) {
   if (column.density == Density::seasonal)
     return {column.tropopause_m - tropopause_wander_m, column.tropopause_m + tropopause_wander_m,
@@ -52,14 +52,14 @@ std::vector<double> density_breaks(const Column& column) {
   return {density.begin(), density.end()};
 }
 
-/// Altitudes at which the formula for a profile changes [m].
+/// Altitudes at which a profile's formula changes [m].
 using Edges = std::array<double, 2>;
 
 Edges around_the_tropopause(const Column& column) {
   return {column.tropopause_m - tropopause_wander_m, column.tropopause_m + tropopause_wander_m};
 }
 
-/// Albedo times phase function of Henyey and Greenstein, ω P(χ) / (4π).
+/// Albedo times Henyey and Greenstein's phase function, ω P(χ) / (4π).
 double henyey_greenstein(double albedo, double g, double cosine) {
   return albedo * (1 - g * g) / std::pow(1 + g * g - 2 * g * cosine, 1.5) / (4 * std::numbers::pi);
 }
@@ -85,16 +85,16 @@ algebra::Wavelength wavelength_of(const Optics& optics) {
   return algebra::nanometres(optics.wavelength_nm);
 }
 
-/// Row of the table of absorbers.
+/// Row in the table of absorbers.
 struct Constituent {
   Absorber absorber;
   std::string_view group;
   bool (*in)(const Column&);
   double (*profile)(const Column&, double altitude_m);
   double (*spectrum)(const Column&, const Optics&);
-  double (*scattering)(const Column&, double cosine) = nullptr;  ///< none: it absorbs alone
-  Edges (*edges)(const Column&) = nullptr;                       ///< none: those of the density
-  double Column::*cloud_or_aerosol = nullptr;  ///< its amount, where it is one of these
+  double (*scattering)(const Column&, double cosine) = nullptr;  ///< null if it only absorbs
+  Edges (*edges)(const Column&) = nullptr;                       ///< null means the density's
+  double Column::*cloud_or_aerosol = nullptr;  ///< its amount, if cloud or aerosol
 };
 
 constexpr std::array<Constituent, absorbers> constituents{{
@@ -181,7 +181,7 @@ constexpr std::array<Constituent, absorbers> constituents{{
      }},
 }};
 
-/// Profiles of the absorbers k…, unrolled: the compiler knows each row of the table and inlines its functions.
+/// Profiles of the absorbers k…, unrolled so that the compiler knows each row of the table and inlines its functions.
 template <std::size_t... k>
 Amounts profiles_of_rows(const Column& column, double altitude_m, std::index_sequence<k...>) {
   static_assert(((constituents[k].absorber == k) && ...));
@@ -239,7 +239,7 @@ std::optional<Region> between_latitudes(algebra::Angle south, algebra::Angle nor
   algebra::require_within("latitude [degrees]", algebra::in_degrees(south), -90, 90);
   algebra::require_within("latitude [degrees]", algebra::in_degrees(north),
                           algebra::in_degrees(south), 90);
-  // On the limb: sin latitude = cos θ cos δ.
+  // On the limb, sin(latitude) = cos θ cos δ, where θ is the angle from north and δ the Sun's declination.
   const double highest = std::cos(algebra::in_radians(sun_declination));
   const auto angle = [&](algebra::Angle latitude) {
     return std::acos(std::clamp(std::sin(algebra::in_radians(latitude)) / highest, -1., 1.));
@@ -436,7 +436,7 @@ std::vector<double> breaks_m(const Column& column) {
     if (one.edges && one.in(column))
       for (const double edge : one.edges(column)) breaks.push_back(edge);
   std::sort(breaks.begin(), breaks.end());
-  std::erase_if(breaks, [&](double h) { return h > top - 1; });  // the top itself, to rounding
+  std::erase_if(breaks, [&](double h) { return h > top - 1; });  // drop the top, added below
   breaks.push_back(top);
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
   return breaks;

@@ -30,32 +30,32 @@ enum class OzonePath { filter, bent };
 /// month (`seasonal_air` and others) are immutable and shared between columns.
 struct Column {
   Density density = Density::yapo_cutler;
-  bool refraction = true;  ///< off: light goes straight through the air
-  bool rayleigh = true;    ///< off: molecules do not scatter
-  double ozone_du = 0;     ///< vertical column [DU]; 0: off
+  bool refraction = true;  ///< if false, light goes straight through the air
+  bool rayleigh = true;    ///< if false, molecules do not scatter
+  double ozone_du = 0;     ///< vertical column [DU]; 0 means none
   OzonePath ozone_path = OzonePath::filter;
-  double dust_extinction_per_m = 0;  ///< grey extinction α of the dust layer, 0 to 0.01 m⁻¹; 0: off
+  double dust_extinction_per_m = 0;  ///< grey extinction α of the dust layer, 0 (none) to 0.01 m⁻¹
   double dust_bottom_m = 15e3, dust_top_m = 20e3;
-  double tropospheric_optical_depth = 0;  ///< vertical, due to aerosol, at 550 nm, 0 to 10; 0: off
-  double tropospheric_scale_m = 2e3;      ///< scale height of that aerosol, 500 to 10 000 m
+  double tropospheric_optical_depth = 0;  ///< vertical, of aerosol at 550 nm; 0 (none) to 10
+  double tropospheric_scale_m = 2e3;      ///< scale height of tropospheric aerosol, 500 to 10 000 m
   StratosphericAerosol stratosphere = StratosphericAerosol::none;
   double stratospheric_factor =
-      1;  ///< factor on `stratosphere` or `stratospheric_layer`, 0 to 100; 0: off
+      1;  ///< factor on `stratosphere` or `stratospheric_layer`, 0 (off) to 100
   double cloud_top_m = 10e3;
-  double cloud_cover = 0;  ///< share of the limb where cloud stops all rays below its top; 0: off
+  double cloud_cover = 0;  ///< share of the limb where cloud stops rays below its top, 0 to 1
 
-  double tropopause_m = 11e3;  ///< 5 to 20 km; the next three terms depend on it
-  double cloud_per_m = 0;      ///< probability per metre of meeting cloud, 0 to 0.01 m⁻¹; 0: off
-  double cirrus = 0;           ///< factor on cirrus_extinction_per_m, 0 to 100; 0: off
-  /// extinction by the free troposphere's aerosol at 7 km and 550 nm, 0 to 0.01; 0: off
+  double tropopause_m = 11e3;  ///< altitude, 5 to 20 km; the next three terms depend on it
+  double cloud_per_m = 0;      ///< probability of meeting cloud per metre of path, 0 to 0.01
+  double cirrus = 0;           ///< factor on cirrus_extinction_per_m, 0 (off) to 100
+  /// extinction by the free troposphere's aerosol at 7 km and 550 nm [m⁻¹], 0 (off) to 0.01
   double free_troposphere_per_m = 0;
   bool oxygen_pairs = false, nitrogen_dioxide = false;  ///< whether oxygen pairs and NO₂ absorb
   bool oxygen_bands = false;                            ///< whether the bands of oxygen absorb
-  double water_vapour = 0;  ///< relative to the US standard atmosphere, 0 to 1000; 0: off
-  std::shared_ptr<const SeasonalAir> seasonal_air{};  ///< for Density::seasonal
+  double water_vapour = 0;  ///< relative to the US standard atmosphere, 0 (none) to 1000
+  std::shared_ptr<const SeasonalAir> seasonal_air{};  ///< needed by Density::seasonal
   std::shared_ptr<const OzoneClimate>
       ozone_climate{};  ///< profile of ozone; if null, that of US 1976
-  /// unless null, replaces `stratosphere`
+  /// replaces `stratosphere` unless null
   std::shared_ptr<const StratosphericLayer> stratospheric_layer{};
 
   bool operator==(const Column&) const = default;
@@ -64,9 +64,9 @@ struct Column {
 /// Altitude where a column's air ends [m]: 0, 42 000 or 86 000.
 double top_m(const Column& column);
 
-/// Air at one angular distance from north along the limb, to the east and to the west alike.
+/// Air at a given angle from north along the limb, on its eastern and its western side alike.
 struct Belt {
-  double from_north_rad;  ///< 0 to π
+  double from_north_rad;  ///< angle, 0 to π
   Column column{};
 
   bool operator==(const Belt&) const = default;
@@ -76,28 +76,27 @@ struct Belt {
 /// the first belt and south of the last, light is constant.
 using Belts = std::vector<Belt>;
 
-/// Part of the limb with its own air: from one position angle through east to the other.
-/// Position angles are measured at the Earth, about the shadow axis, from celestial north through
-/// east.
+/// Part of the limb with air of its own, which extends from one position angle through east to another. Position angles
+/// are measured at the Earth, about the shadow axis, from celestial north through east.
 struct Region {
   algebra::Angle from, to;
   Column column{};
-  Belts belts{};          ///< unless empty, replace the column
-  bool mirrored = false;  ///< whether the region includes the negative position angles too
+  Belts belts{};          ///< replace `column` unless empty
+  bool mirrored = false;  ///< whether the region also covers the negatives of its angles
 
   bool operator==(const Region&) const = default;
 };
 
-/// Region between two latitudes, in the east and the west of the limb; nothing if no part of the limb lies between
+/// Region between two latitudes, on the eastern and on the western limb; nullopt if no part of the limb lies between
 /// these latitudes.
 ///
 /// Given   sun_declination  angle by which the north pole is tipped towards the Sun
-/// Throws  Error            when a latitude is outside ±90°, or south is north of north
+/// Throws  Error            when a latitude is outside ±90°, or `south` lies north of `north`
 std::optional<Region> between_latitudes(algebra::Angle south, algebra::Angle north,
                                         algebra::Angle sun_declination, const Column& column);
 
 enum class Dispersion { crc, ciddor_1996 };
-enum class KingFactor { fixed, bates_1984 };  ///< fixed: 1.050
+enum class KingFactor { fixed, bates_1984 };  ///< `fixed` means 1.050
 
 /// Models of refraction and scattering by the molecules of the air.
 struct Molecules {
@@ -107,14 +106,13 @@ struct Molecules {
   bool operator==(const Molecules&) const = default;
 };
 
-/// Earth and its air. A position angle has the air of the first region that contains it; outside all regions,
-/// `column` or `belts` hold. The defaults are the sphere and the air of Yapo & Cutler (2009), without ozone and
-/// dust.
+/// Earth and its air. At each position angle the first region that contains it determines the air; outside all regions,
+/// `column` or `belts` do. The defaults are the sphere and the air of Yapo & Cutler (2009), without ozone and dust.
 struct Atmosphere {
   Figure earth{};
   Molecules molecules{};
-  Column column{};  ///< outside all regions
-  Belts belts{};    ///< outside all regions; unless empty, replace the column
+  Column column{};  ///< air outside all regions
+  Belts belts{};    ///< air outside all regions; they replace `column` unless empty
   std::vector<Region> regions{};
 
   bool operator==(const Atmosphere&) const = default;
@@ -131,18 +129,16 @@ struct Atmosphere {
   bool belted() const { return columns().size() > 1 + regions.size(); }
   /// Whether light does not depend on the position angle: a sphere with one column.
   bool symmetric() const { return one_column() && earth.sphere(); }
-  /// Whether the limb's western half has the air of its eastern half, mirrored.
+  /// Whether the air along the western half of the limb mirrors that along the eastern half.
   bool mirrored() const;
   /// Altitude where the air of the highest column ends [m].
   double top_m() const;
   double top_radius_m() const { return earth.equatorial_radius_m + top_m(); }
-  /// All columns: first those outside all regions, then those of each region. Belts, if there are any, take the
-  /// column's place.
+  /// The columns outside all regions, followed by those of each region. Belts, if there are any, replace a column.
   std::vector<const Column*> columns() const;
-  /// Number of the region that contains a position angle, from 1; 0 outside all regions.
+  /// Number of the region that contains a position angle, counted from 1; 0 outside all regions.
   std::size_t region_index(double position_angle_rad) const;
-  /// Weights of the light from two columns at a position angle. They add up to 1; the second is 0 where there are
-  /// no belts.
+  /// Weights of the light from two columns at a position angle, which add up to 1. Without belts the second is 0.
   std::array<Share, 2> shares_at(double position_angle_rad) const;
   /// Position angles, increasing from 0 to 2π, between which the weights of all columns are smooth: the borders of
   /// regions and the middles of belts.
@@ -151,32 +147,32 @@ struct Atmosphere {
   std::vector<bool> columns_in_use() const;
 };
 
-/// Air with only every third of its belts, including the first and the last: cheap, for a coarse result.
+/// Reduces an atmosphere to every third of its belts, and keeps the first and the last, for a fast but coarse result.
 Atmosphere with_fewer_belts(Atmosphere atmosphere);
 
-/// Air that has, column by column, the largest amount of dust, of ozone, of cloud and of stratospheric aerosol among
-/// several airs.
+/// Combines several atmospheres: each column of the result has the largest of their amounts of dust, of ozone, of cloud
+/// and of stratospheric aerosol.
 ///
 /// Given   airs   one or more, which differ only in these amounts and share their tables
 /// Throws  Error  when there are no airs, or they differ in anything else
 Atmosphere richest(std::span<const Atmosphere> airs);
 
-/// Throws Error when a term is outside its range: names the term, its unit and its range.
+/// Throws an Error that names the term, its unit and its range, when a term is outside its range.
 void require_valid(const Atmosphere& atmosphere);
 
 /// Optical properties of air at sea level, at one wavelength.
 struct Optics {
-  double refractivity;    ///< n₀ − 1
-  double rayleigh_per_m;  ///< β₀ = N₀ σ
+  double refractivity;    ///< at sea level, n₀ − 1
+  double rayleigh_per_m;  ///< scattering coefficient at sea level, β₀ = N₀ σ
   double wavelength_nm;
 };
 
 /// Throws Error when the wavelength is outside 380 to 780 nm
 Optics sea_level_optics(algebra::Wavelength wavelength, const Molecules& molecules = {});
 
-/// Constituents that take light out of a ray, each with a profile over altitude and a spectrum. Extinction is
-/// Σ spectrum × profile over absorbers; optical depth Σ spectrum × ∫ profile ds. A table in atmosphere.cpp has a
-/// row for each absorber.
+/// Constituents that take light out of a ray. Each has a profile over altitude and a spectrum. Extinction is the sum of
+/// spectrum × profile over all absorbers, optical depth the sum of spectrum × ∫ profile ds. A table in atmosphere.cpp
+/// has a row for each absorber.
 enum Absorber : std::size_t {
   air,
   ozone,
@@ -190,18 +186,18 @@ enum Absorber : std::size_t {
   nitrogen_dioxide,
   oxygen_bands,
   water_vapour,
-  absorbers  ///< their number
+  absorbers  ///< number of absorbers
 };
 using Amounts = std::array<double, absorbers>;
 
-/// Group of each absorber; a change of the air affects a whole group: "air", "ozone", "dust", "aerosol" below the
-/// stratosphere, "stratosphere", "cloud", "gas".
+/// Name of each absorber's group: "air", "ozone", "dust", "aerosol" (below the stratosphere), "stratosphere", "cloud"
+/// or "gas". A change of the air affects a whole group.
 std::array<std::string_view, absorbers> absorber_groups();
 
-/// Multiplies a column's cloud (including a cloud deck) and its aerosol below the stratosphere by a factor.
+/// Multiplies a column's cloud (including its cloud cover) and its aerosol below the stratosphere by a factor.
 void scale_cloud_and_aerosol(Column& column, double factor);
 
-/// Whether a column has an absorber.
+/// Whether a column contains an absorber.
 bool has(const Column& column, Absorber absorber);
 
 /// Profile of one absorber at an altitude; 0 if the column lacks the absorber.
@@ -210,9 +206,9 @@ double profile(const Column& column, Absorber absorber, double altitude_m);
 /// Profiles of all absorbers at an altitude:
 ///
 ///     air                ρ/ρ₀
-///     ozone              share of the vertical column in a metre [m⁻¹]
+///     ozone              share of the vertical column per metre [m⁻¹]
 ///     dust_layer         1 within the layer
-///     troposphere        share of the vertical optical depth in a metre [m⁻¹]
+///     troposphere        share of the vertical optical depth per metre [m⁻¹]
 ///     stratosphere       extinction at 550 nm [m⁻¹]
 ///     cloud              cloud_profile
 ///     cirrus             extinction [m⁻¹]
@@ -227,7 +223,7 @@ Amounts profiles(const Column& column, double altitude_m);
 /// path into optical depth. For ozone as a filter (OzonePath::filter) the factor is 0.
 Amounts spectra(const Column& column, const Optics& optics);
 
-/// Phase functions times albedo: ratio of the light that each absorber scatters per steradian to its extinction.
+/// Phase function times albedo: the ratio of the light that each absorber scatters per steradian to its extinction.
 ///
 ///     ω P(χ) / (4π)        P = 3/4 (1 + cos² χ) for air, (1 − g²) / (1 + g² − 2 g cos χ)^3/2 for aerosol
 ///
@@ -236,13 +232,13 @@ Amounts spectra(const Column& column, const Optics& optics);
 ///
 /// Given     cosine  cos χ, χ the scattering angle
 /// Returned  [1/sr]  0 for gases that only absorb, and for cloud, which the twilight leaves out
-/// Source    Henyey & Greenstein (1941), ApJ 93, 70; ω and g at 550 nm of LOWTRAN 7: Kneizys et al.
+/// Source    Henyey & Greenstein (1941), ApJ 93, 70; ω and g at 550 nm from LOWTRAN 7: Kneizys et al.
 ///           (1988), AFGL-TR-88-0177
 Amounts scattering(const Column& column, double cosine);
 
 double product(const Amounts& a, const Amounts& b);
 
-/// Altitudes where the slope of a column's profiles jumps [m], lowest first; the last is the top of its air.
+/// Altitudes where the slope of a column's profiles jumps [m], lowest first; the last is the top of the air.
 std::vector<double> breaks_m(const Column& column);
 
 /// Density ratio ρ/ρ₀ and its slope.
@@ -251,16 +247,16 @@ ValueAndSlope density_ratio(const Column& column, double altitude_m);
 /// Refractivity n(h, λ) − 1: the value at sea level times the density ratio (Gladstone–Dale).
 double refractivity(const Column& column, const Optics& optics, double altitude_m);
 
-/// Least refractivity n₀ − 1 at sea level that traps light in the air: a ray can leave again only if n r rises
-/// with altitude, and from this refractivity on n r falls at the ground.
+/// Smallest refractivity n₀ − 1 at sea level with which air traps light. A ray can leave the air again only if n r
+/// rises with altitude; from this refractivity on, n r falls with altitude at the ground.
 ///
 ///     n₀ − 1 = −1 / (ρ/ρ₀ + R d(ρ/ρ₀)/dh)     at the ground, where density falls fastest
 ///
 /// Given     earth_radius_m  R, radius of curvature of the ground along the path
-/// Returned  1.636e-3 with R = 6378 km, six times that of air; infinite if refraction is off
+/// Returned  1.636e-3 with R = 6378 km, six times the refractivity of air; infinite if refraction is off
 double critical_refractivity(const Column& column, double earth_radius_m);
 
-/// Throws Error when the air traps light: names its refractivity and the largest one allowed.
+/// Throws an Error that names the air's refractivity and the largest one allowed, when the air traps light.
 void require_no_trap(const Column& column, double earth_radius_m, double refractivity);
 
 /// Extinction [m⁻¹] at an altitude.

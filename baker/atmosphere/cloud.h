@@ -8,19 +8,19 @@ namespace coppermoon::atmosphere {
 /// Cubic step from 0 to 1 between t = 0 and 1, flat at and beyond either end. Cloud and aerosol fade out this way.
 double smooth_step(double t);
 
-/// Largest distance between a day's tropopause and the monthly mean [m].
+/// Largest distance of the tropopause on a single day from its monthly mean [m].
 inline constexpr double tropopause_wander_m = 2e3;
 
 /// Probability, per metre of a ray's path under the tropopause, that the ray meets opaque cloud [m⁻¹].
 ///
 /// Satellites followed the setting Sun down to 7 km in 30 % of occultations in the tropics and in 60 % at high
-/// latitudes. With a probability independent of height (cloud_profile), this gives 1.74e-6 up to 10° and 1.46e-6
-/// at 65°, linear between. Other latitudes have a factor: their cover by high cloud, relative to the cover that the
-/// same line between these two latitudes gives.
+/// latitudes. With a probability independent of height (cloud_profile), this gives 1.74e-6 up to 10° and 1.46e-6 at
+/// 65°, with linear interpolation in between. At other latitudes, this is multiplied by the cover by high cloud
+/// there, divided by the cover that is interpolated between the same two latitudes.
 ///
 /// Returned  1.1e-6 to 1.9e-6, least at 30° and 90°
-/// Accuracy  reproduces the 30 % and the 60 % to within 0.02; elsewhere a third
-/// Omits     season (other than the tropopause's), hemisphere, land and sea
+/// Accuracy  reproduces the 30 % and the 60 % to within 0.02; elsewhere it is good to a third
+/// Omits     season (other than the tropopause's); differences between hemispheres, and between land and sea
 /// Source    Woodbury & McCormick (1983), Geophys. Res. Lett. 10, 1180; London (1957) and Telegadas & London
 ///           (1954) for high cloud by latitude
 double cloud_chance_per_m(algebra::Angle latitude);
@@ -28,19 +28,19 @@ double cloud_chance_per_m(algebra::Angle latitude);
 /// Probability of meeting cloud at an altitude, relative to that well below the tropopause. It falls smoothly
 /// from 1 to 0 between 2 km below and 2 km above the mean tropopause. A ray gets through with probability
 ///
-///     exp(−∫ p ds)        p = cloud_chance_per_m × cloud_profile, some 1 / (600 km)
+///     exp(−∫ p ds)        p = cloud_chance_per_m × cloud_profile, about 1 / (600 km)
 ///
-/// as if clouds were independent of each other; the measured probability includes their length.
+/// as if clouds were independent of each other. The measured probability already includes the length of clouds.
 ///
-/// Omits     heights at which cloud is more frequent: no frequencies below 7 km are published
+/// Omits     heights at which cloud is more frequent, because no frequencies below 7 km are published
 double cloud_profile(double tropopause_m, double altitude_m);
 
-/// Mean extinction by thin cirrus, which dims a ray without stopping it [m⁻¹]: present half of the time, one
-/// kilometre thick, 2e-3 km⁻¹, anywhere in the 3 km under the tropopause.
+/// Mean extinction by thin cirrus, which dims a ray without stopping it [m⁻¹]. Cirrus is present half of the time, is
+/// one kilometre thick, has an extinction of 2e-3 km⁻¹, and lies anywhere in the 3 km under the tropopause.
 ///
 /// Accuracy  a factor of three
-/// Omits     forward scattering: half of the extinguished light goes on within a degree, and lands elsewhere in
-///           the shadow
+/// Omits     forward scattering: half of the extinguished light continues within a degree of its direction, and falls
+///           elsewhere in the shadow
 /// Source    Lesigne et al. (2024), Atmos. Chem. Phys. 24, 5935, for frequency and thickness; Sassen & Cho
 ///           (1992), J. Appl. Meteorol. 31, 1275, for extinction: 2e-4 to 2e-2 km⁻¹
 double cirrus_extinction_per_m(double tropopause_m, double altitude_m);

@@ -15,8 +15,8 @@ constexpr double hydrostatic_constant_k_per_m = 9.80665 * 28.9644 / 8314.32;
 
 struct Layer {
   double base_m, density_ratio;
-  double warming_per_m;  // L/T_b
-  double exponent;       // of T/T_b; where the lapse rate L is 0, of e, per metre
+  double warming_per_m;  // lapse rate divided by base temperature, L/T_b
+  double exponent;       // exponent of T/T_b or, if L is 0, of e (then per metre)
 };
 
 constexpr std::size_t layer_count = 7;

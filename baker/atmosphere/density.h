@@ -13,13 +13,13 @@ struct ValueAndSlope {
 /// Ratio of the density of air to its sea-level value, ρ(h)/ρ₀.
 ///
 ///     T = T_b + L (H − H_b)        H = r₀ h / (r₀ + h)
-///     ρ/ρ₀ = (ρ_b/ρ₀) (T/T_b)^(−1 − k/L)   or, where L = 0,   (ρ_b/ρ₀) exp(−k (H − H_b) / T_b)
+///     ρ/ρ₀ = (ρ_b/ρ₀) (T/T_b)^(−1 − k/L)   or, if L = 0,   (ρ_b/ρ₀) exp(−k (H − H_b) / T_b)
 ///     k = g₀ M₀ / R* = 34.163195 K/km,   r₀ = 6356.766 km
 ///
 /// Given     altitude_m  geometric; below 0 the lowest layer is extrapolated, above 86 km the density is 0
 /// Returned  ρ/ρ₀        1 at 0 m, 2.44e-3 at 42 km
-/// Accuracy  the printed tables to their digits (worst relative error 1e-4 up to 50 km)
-/// Omits     weather, season and latitude: up to 20 % below 10 km
+/// Accuracy  matches the printed tables to their last digit (worst relative error 1e-4 up to 50 km)
+/// Omits     weather, season and latitude, which matter by up to 20 % below 10 km
 /// Source    U.S. Standard Atmosphere 1976, NOAA-S/T 76-1562
 double density_ratio_us_1976(double altitude_m);
 

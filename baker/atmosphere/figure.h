@@ -10,7 +10,7 @@ namespace coppermoon::atmosphere {
 /// Source  Espenak & Meeus (2009), Five Millennium Canon of Lunar Eclipses, NASA/TP-2009-214172
 inline constexpr double earth_equatorial_radius_m = 6378137.0, earth_flattening = 1 / 298.257;
 
-/// Figure of the Earth: an ellipsoid of revolution, or a sphere where both radii are equal.
+/// Figure of the Earth: an ellipsoid of revolution, or a sphere if both radii are equal.
 struct Figure {
   double equatorial_radius_m = 6.378e6, polar_radius_m = 6.378e6;
   double sun_declination_rad = 0;  ///< angle by which the north pole is tipped towards the Sun
@@ -19,26 +19,26 @@ struct Figure {
   bool sphere() const { return equatorial_radius_m == polar_radius_m; }
 };
 
-/// Earth's ellipsoid with its pole tipped by the Sun's declination.
+/// The Earth's ellipsoid, with its north pole tipped towards the Sun by the Sun's declination.
 Figure ellipsoid(double sun_declination_rad);
 
 /// Earth's limb as seen from the Sun, at one position angle.
 struct Limb {
-  double radius_m;  ///< from the shadow axis to the ground
+  double radius_m;  ///< distance from the shadow axis to the ground
   double
       curvature_radius_m;  ///< of the ground along the light's path; sets the path's length in the air
 };
 
 /// Limb at a position angle about the shadow axis, from celestial north through east.
 ///
-/// For the ellipsoid xᵀ A x = 1 and light along z: the limb is where (A x)·z = 0, the ground's curvature
-/// along z (zᵀ A z) / |A x|.
+/// For the ellipsoid xᵀ A x = 1 and light along z, the limb is where (A x)·z = 0, and the ground's curvature along z is
+/// (zᵀ A z) / |A x|.
 Limb limb_at(const Figure& figure, double position_angle_rad);
 
 /// Height above the ground of a point in the shadow frame (X celestial east, Y north, Z away from
 /// the Sun).
 ///
-/// Accuracy  0.5 m up to 86 km: taken along the radius, not along the vertical
+/// Accuracy  0.5 m up to 86 km, because it is taken along the radius, not the vertical
 double altitude_m(const Figure& figure, const glm::dvec3& position_m);
 
 }  // namespace coppermoon::atmosphere

@@ -19,17 +19,16 @@ struct Sightline {
   algebra::Angle altitude;  ///< true (airless) altitude of the body looked at
 };
 
-/// Throws Error when a term is outside its range: names the term, its unit and its range.
+/// Throws an Error that names the term, its unit and its range, when a term is outside its range.
 void require_valid(const ObserverAir& air);
 
 /// Ratio of the air pressure at an elevation to that at sea level.
 ///
-///     (1 − 0.0065 h / 288.15)^5.2559 up to 11 km; above, falling by a factor e every 6341.6 m
+///     (1 − 0.0065 h / 288.15)^5.2559 up to 11 km; above, it falls by a factor of e every 6341.6 m
 ///
 /// Given     elevation_m  h, geometric
 /// Accuracy  0.3 % of US 1976 up to 11 km, 6 % up to 30 km
-/// Source    U.S. Standard Atmosphere 1976, its formulae below 20 km, with geometric altitude taken for
-///           geopotential
+/// Source    U.S. Standard Atmosphere 1976: its formulae below 20 km, with geometric in place of geopotential altitude
 double pressure_ratio_us_1976(double elevation_m);
 
 /// Vertical optical depths of an observer's air at one wavelength.
@@ -44,10 +43,9 @@ VerticalDepths vertical_depths(const ObserverAir& air, algebra::Wavelength wavel
 ///
 ///     exp(−(p/p₀ M τ_R(λ) + X_O3 σ(λ) N_O3 + X_a τ_a (λ / 550 nm)^−å))
 ///
-/// Given     altitude    true (airless), −1 to 90 degrees; below −0.574, the apparent horizon, the value
-///                       on the horizon
+/// Given     altitude    true (airless), −1 to 90 degrees; below −0.574, the apparent horizon, counts as the horizon
 ///           wavelength  380 to 780 nm
-/// Returned  0 to 1: Rayleigh scattering with Young's air mass M, ozone as a layer at 22 km, aerosol
+/// Returned  0 to 1; the terms are Rayleigh scattering with Young's air mass M, ozone as a layer at 22 km, and aerosol
 /// Omits     water vapour and oxygen lines; scattering into the line of sight; change of the air masses
 ///           with elevation; observers above the ozone; differences across the Moon's disc
 /// Throws    Error       when an argument is outside its range

@@ -47,7 +47,7 @@ OzoneProfile standard_ozone() {
 constexpr int months = 12, layers = 30;
 constexpr double layer_km = 2;
 
-/// Ozone in each layer in one month [DU].
+/// Ozone in each layer over a latitude in one month [DU].
 std::vector<double> layers_of_month(const algebra::Table& table, int month, double latitude_deg) {
   const auto& latitudes = table["latitude_degrees"];
   const auto belts = latitudes.size() / months, first = static_cast<std::size_t>(month) * belts;
@@ -74,12 +74,12 @@ std::vector<double> layers_of(double latitude_deg, double year) {
   return du;
 }
 
-/// Altitude [m] of a pressure altitude 16 km log10(p₀/p); the ground where pressure is higher than there.
+/// Altitude [m] for a pressure altitude, 16 km log10(p₀/p); 0 if the pressure is higher than at the ground.
 double altitude_m(const SeasonalAir& air, double pressure_altitude_km) {
   return air.altitude_m(std::pow(10, -pressure_altitude_km / 16));
 }
 
-/// Logarithm of the share of the column in a metre, through the layers' middles; linear from the last to the top.
+/// Logarithm of the share of the column per metre: a curve through the layers' middles, then linear up to the top.
 algebra::MonotoneCubic log_shares(std::span<const double> du, const SeasonalAir& air) {
   std::vector<double> middle_m, log_share;
   for (int i = 0; i < layers; ++i) {

@@ -7,7 +7,7 @@
 
 namespace coppermoon::atmosphere {
 
-/// Absorption cross-section of an ozone molecule, Chappuis band, means over 5 nm.
+/// Absorption cross-section of an ozone molecule, Chappuis band, averaged over 5 nm.
 ///
 /// Given     wavelength  380 to 780 nm
 /// Returned  [m²]        5.1e-25 near 602 nm
@@ -18,10 +18,10 @@ double ozone_cross_section_m2(algebra::Wavelength wavelength);
 /// Share of the vertical ozone column per metre of altitude [m⁻¹]. Its integral from 0 to 86 km is
 /// 1; share times column [m⁻²] is the number density.
 ///
-/// Given     altitude_m  below 2 km the value at 2 km; above 86 km 0
+/// Given     altitude_m  below 2 km, the value at 2 km is returned; above 86 km, 0
 /// Returned  [m⁻¹]       at most 5.2e-5, at 22 km
-/// Accuracy  the printed profile at every 2 km from 2 to 74 km, a smooth curve of the logarithm
-///           between them; the printed profile's column is 347 DU, although its text says 345
+/// Accuracy  matches the printed profile at every 2 km from 2 to 74 km, with a smooth curve of the logarithm in
+///           between; the printed profile's column is 347 DU, although its text says 345
 /// Omits     season, latitude and weather: the peak lies at 26 km in the tropics, 18 km at the poles
 /// Source    U.S. Standard Atmosphere 1976, mid-latitude ozone (Krueger & Minzner 1976)
 double ozone_profile_per_m(double altitude_m);
@@ -31,12 +31,12 @@ double ozone_profile_per_m(double altitude_m);
 /// Source  McPeters, Labow & Logan (2007), J. Geophys. Res. 112, D05308
 class OzoneClimate {
  public:
-  /// Given     latitude  −90° to 90°; linear between belts of 10°
-  ///           year      its fraction is the season; linear between months
-  ///           air       over that latitude: turns the climatology's pressures into altitudes
-  /// Accuracy  the climatology's layers of 2 km, a smooth curve of the logarithm between their middles;
-  ///           the climatology's column exactly
-  /// Omits     differences between years and weather, ±10 % of the column; ozone holes of single springs
+  /// Given     latitude  −90° to 90°; interpolated linearly between belts of 10°
+  ///           year      its fractional part gives the season; interpolated linearly between months
+  ///           air       over the same latitude, which converts the climatology's pressures to altitudes
+  /// Accuracy  the column is exactly the climatology's; the profile has its layers of 2 km, with a smooth curve of the
+  ///           logarithm between their middles
+  /// Omits     weather and differences between years, ±10 % of the column; ozone holes in particular springs
   OzoneClimate(algebra::Angle latitude, double year, const SeasonalAir& air);
 
   /// Vertical column [DU]: 250 in the tropics, 150 to 440 elsewhere.
@@ -50,11 +50,11 @@ class OzoneClimate {
   algebra::MonotoneCubic log_share_per_m_;
 };
 
-/// One Dobson unit: molecules over a square metre [m⁻²].
+/// One Dobson unit, as the number of molecules over a square metre [m⁻²].
 inline constexpr double dobson_unit_per_m2 = 2.6867e20;
 
-/// Air mass of ozone on a ray that grazes the Earth: 2 / √(1 − (R/(R+22 km))²), R = 6378 km, for a thin layer
-/// at 22 km, where ozone peaks.
+/// Air mass of ozone on a ray that grazes the Earth: 2 / √(1 − (R/(R+22 km))²) with R = 6378 km, for a thin layer at 22
+/// km, where ozone peaks.
 inline constexpr double grazing_ozone_air_mass = 24.1;
 
 /// Transmittance of ozone as one filter for all light that passed the limb.

@@ -32,7 +32,7 @@ void make_usual(Column& column) {
   column.cloud_cover = 0.7;
 }
 
-/// Adds to a column the terms of "standard" that do not depend on latitude and month.
+/// Adds to a column those terms of the preset "standard" that do not depend on latitude and month.
 Column usual_by_chance(Column column) {
   column.tropospheric_optical_depth = 0.07;
   column.tropospheric_scale_m = 1.2e3;
@@ -46,7 +46,7 @@ struct Eruption {
   double dust_extinction_per_m, dust_top_m;
 };
 
-/// Stratospheric aerosol and dust layer for L from 0 to 3.
+/// Stratospheric aerosol and dust layer for eclipses of L = 0 to 3 on Danjon's scale.
 constexpr std::array<Eruption, 4> eruptions{{{StratosphericAerosol::extreme, 1e-6, 25e3},
                                              {StratosphericAerosol::high, 0, 20e3},
                                              {StratosphericAerosol::moderate, 3e-6, 20e3},

@@ -18,29 +18,29 @@ namespace coppermoon::atmosphere {
 ///     standard   air of a month in 13 belts of latitude (see climatic), with tropospheric aerosol of 0.07,
 ///                cloud and cirrus by probability, oxygen's pairs and bands, nitrogen dioxide, water vapour
 ///     calibrated standard, with its probability of cloud times 0.60: one number, fitted to measurements of the whole
-///                Moon in five eclipses and of the umbra in a sixth. With each left out in turn, it predicts
-///                them to 0.21 mag rms, "standard" to 0.25
+///                Moon in five eclipses and of the umbra in a sixth. Fitted with each eclipse left out in
+///                turn, it predicts that eclipse to 0.21 mag rms; "standard" reaches 0.25 mag
 ///     none       the bare Earth, an ellipsoid
 std::span<const std::string_view> preset_names();
 
 /// Atmosphere of the preset with the given name.
 ///
 /// Given   sun_declination  tips the ellipsoid's pole
-///         year             with its fraction; only "standard" and "calibrated" depend on it
-/// Throws  Error            when there is no preset of that name: lists the names
+///         year             with a fractional part; only "standard" and "calibrated" depend on it
+/// Throws  Error            when there is no preset of this name; the message lists the names
 Atmosphere preset(std::string_view name, algebra::Angle sun_declination, double year = 2000);
 
-/// Replaces the terms of a column that depend on latitude and month by their values for the given ones:
+/// Sets those terms of a column that depend on latitude and month to their values for a given latitude and year:
 /// density, ozone, stratospheric aerosol, tropopause, free-tropospheric aerosol, probability of cloud, water vapour.
 ///
-/// Given  year  its fraction determines the month
+/// Given  year  its fractional part determines the month
 Column climatic(Column column, algebra::Angle latitude, double year);
 
-/// Thirteen belts with the same column, 15° of position angle apart. In a month's air, light differs
-/// from that with 25 belts by 0.7 % rms, 3 % at worst.
+/// Thirteen belts with the same column, 15° of position angle apart. Through a month's air, light differs from that
+/// with 25 belts by 0.7 % rms, 3 % at worst.
 Belts belts_of(const Column& column);
 
-/// Latitude of the limb at an angle θ from north, δ the Sun's declination.
+/// Latitude of the limb at an angle θ from north, where δ is the Sun's declination.
 ///
 ///     sin φ = cos θ cos δ
 algebra::Angle latitude_on_limb(double from_north_rad, algebra::Angle sun_declination);
@@ -57,11 +57,11 @@ algebra::Angle latitude_on_limb(double from_north_rad, algebra::Angle sun_declin
 /// "as usual" means: aerosol of 0.07, cloud to 10 km over 70 % of the limb.
 ///
 /// Given     l       L, 0 to 4
-///           column  its cloud, aerosol and dust are replaced
+///           column  whose cloud, aerosol and dust are replaced
 /// Accuracy  0.5 mag for the eclipse of 21 February 2008, against m = 4.2 − 3 L + (L/2)²
 /// Throws    Error  when l is outside its range
 /// Source    H. C. Vital's correlation of magnitude with L (REA Brazil, 2004 to 2015); the aerosol
-///           that goes with each L is ours
+///           chosen for each L is ours
 Column danjon(int l, Column column);
 
 }  // namespace coppermoon::atmosphere

@@ -15,7 +15,7 @@ inline constexpr double sea_level_number_density_per_m3 = 2.546972e25;
 ///     σ = 24 π³ (n² − 1)² F / (λ⁴ N² (n² + 2)²),     F = 1.050
 ///
 /// Given     wavelength  380 to 780 nm
-///           n − 1       sea_level_refractivity_crc, N the sea-level number density
+///           n − 1       from sea_level_refractivity_crc; N is the sea-level number density
 /// Returned  σ [m²]      4.491e-31 at 550 nm
 /// Accuracy  0.81 % (380 nm) to 0.01 % (780 nm) below Bucholtz (1995), whose F depends on wavelength
 /// Throws    Error       when the wavelength is outside its range

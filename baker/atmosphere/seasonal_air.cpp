@@ -16,10 +16,10 @@ namespace coppermoon::atmosphere {
 namespace {
 
 constexpr double knot_m = 1e3, below_ground_m = 3e3;
-constexpr double gravity_over_gas_constant = 9.80665 * 28.9644e-3 / 8.31432;  // K/m
+constexpr double gravity_over_gas_constant = 9.80665 * 28.9644e-3 / 8.31432;  // [K/m]
 constexpr double geopotential_radius = 6356766, sea_level_k = 288.15;
 
-/// Weight of the July models in the north: 1 in mid July, 0 in mid January.
+/// Weight of the July models in the northern hemisphere: 1 in mid July, 0 in mid January.
 double summer(double year) {
   constexpr double mid_january = 15 / 365.25;
   return (1 - std::cos(2 * std::numbers::pi * (year - mid_january))) / 2;
@@ -56,7 +56,7 @@ SeasonalAir::SeasonalAir(algebra::Angle latitude, double year) {
          table["subarctic_summer"][i], table["subarctic_winter"][i]},
         latitude, year));
   const algebra::MonotoneCubic temperature(altitude_m, temperatures);
-  const auto fall = [&](double h) {  // −d ln p/dh
+  const auto fall = [&](double h) {  // rate at which pressure falls, −d ln p/dh
     return gravity_over_gas_constant * gravity_ratio(h) / temperature(h);
   };
   double log_pressure = 0;

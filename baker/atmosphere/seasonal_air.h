@@ -13,9 +13,9 @@ struct ByModel {
   double tropical, midlatitude_summer, midlatitude_winter, subarctic_summer, subarctic_winter;
 };
 
-/// Number for a latitude and a season, interpolated between the models like the temperature in SeasonalAir.
+/// Number for a latitude and a season, interpolated between the models as the temperature in SeasonalAir is.
 ///
-/// Given   year   its fraction is the season
+/// Given   year   its fractional part gives the season
 /// Throws  Error  when the latitude is outside ±90°
 double between_models(const ByModel& models, algebra::Angle latitude, double year);
 
@@ -24,16 +24,16 @@ double between_models(const ByModel& models, algebra::Angle latitude, double yea
 ///
 ///     d ln ρ/dh = −(g M / R + dT/dh) / T          g = g₀ (r₀ / (r₀ + h))²
 ///
-/// Models are given at 15° (all year), 45° and 60° (July and January, six months later in the south).
-/// Interpolation is linear in latitude, held beyond 15° and 60°; the season is a cosine with its extremes in mid
+/// Models are given at 15° (all year), 45° and 60° (July and January, six months later in the south). Interpolation is
+/// linear in latitude, and constant beyond 15° and 60°. Over the year it follows a cosine with its extremes in mid
 /// January and mid July.
 ///
-/// Accuracy  the models' own densities to 0.7 % up to 50 km
+/// Accuracy  reproduces the models' own densities to 0.7 % up to 50 km
 /// Omits     weather; the polar night, which is colder than the model for 60° in winter
 /// Source    Anderson et al. (1986), AFGL-TR-86-0110
 class SeasonalAir {
  public:
-  /// Given   year   its fraction is the season
+  /// Given   year   its fractional part gives the season
   /// Throws  Error  when the latitude is outside ±90°
   SeasonalAir(algebra::Angle latitude, double year);
 
@@ -43,7 +43,7 @@ class SeasonalAir {
   /// Ratio of the pressure to 1013.25 hPa.
   double pressure_ratio(double altitude_m) const;
 
-  /// Altitude at which the pressure is this fraction of 1013.25 hPa, 0 to 86 km [m].
+  /// Altitude at which the pressure is a given fraction of 1013.25 hPa, 0 to 86 km [m].
   double altitude_m(double pressure_ratio) const;
 
  private:

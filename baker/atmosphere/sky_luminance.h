@@ -41,10 +41,10 @@ double sky_air_mass(algebra::Angle altitude);
 /// Source    Krisciunas & Schaefer (1991), PASP 103, 1033, eq. 2
 double airglow_cd_m2(algebra::Angle altitude, double extinction_mag);
 
-/// Body that lights the air.
+/// Celestial body that lights the air.
 struct SkyLamp {
-  double magnitude = 0;     ///< V, above the air; infinite for a dark body
-  algebra::Angle altitude;  ///< airless
+  double magnitude = 0;     ///< V magnitude above the air; infinite for a dark body
+  algebra::Angle altitude;  ///< true (airless) altitude
 };
 
 /// Direction of a line of sight.
@@ -52,13 +52,14 @@ struct SkyDirection {
   algebra::Angle altitude, from_lamp;  ///< from_lamp: angle between this direction and the body
 };
 
-/// Terms of moonlight that the air scatters, each divided by the light's transmittance and its scattered share.
+/// Terms of the moonlight that the air scatters, each divided by the light's transmittance and by its scattered share.
 ///
 ///     molecules 10^5.36 (1.06 + cos²ρ)        aerosol (a⁴ + b⁴)^¼, a = 10^(6.15 − ρ/40°), b = 6.2e7 / (1 + (ρ/1°)²)
 ///
-/// Given   from_lamp  ρ, 0 to 180 degrees; within a degree, where optics and dust make most of an aureole, it is level
-/// Source  Krisciunas & Schaefer (1991), eqs. 17 to 21. They take 6.2e7 (ρ/1°)^−2 below 10 degrees, with a step of a
-///         fifth there
+/// Given   from_lamp  ρ, 0 to 180 degrees; within a degree, where optics and dust cause most of an aureole, the
+///                    aerosol's term is level
+/// Source  Krisciunas & Schaefer (1991), eqs. 17 to 21. Below 10 degrees they use b = 6.2e7 (ρ/1°)^−2, which makes a
+///         step of a fifth there
 struct ScatteringTerms {
   double molecules, aerosol;
 };
@@ -68,14 +69,14 @@ ScatteringTerms scattering_terms(algebra::Angle from_lamp);
 ///
 ///     B = f(ρ) 10^(−0.4 (m + 16.57)) 10^(−0.4 k X_m) (1 − 10^(−0.4 k X)) nL
 ///
-/// with f the sum of scattering_terms, X the air mass of the line of sight, X_m that of the Moon, and 1 nL = 10⁻⁵/π
-/// cd/m². It fades out while the Moon is within 0.3 degrees of the horizon.
+/// where f is the sum of scattering_terms, X the air mass of the line of sight, X_m that of the Moon, and 1 nL = 10⁻⁵/π
+/// cd/m². The light fades out while the Moon is within 0.3 degrees of the horizon.
 ///
 /// Given     extinction_mag  k, from visual_extinction_mag
 /// Returned  [cd/m²]         0 for a Moon below the horizon
-/// Accuracy  8 to 23 % for the formula; at sea level, where the air holds more aerosol than on Mauna Kea, some 0.3 mag
-/// Omits     polarisation; that the red light of a total eclipse is scattered a tenth less than white light of the
-///           same magnitude
+/// Accuracy  8 to 23 % for the formula; at sea level, where air holds more aerosol than on Mauna Kea, about 0.3 mag
+/// Omits     polarisation; that a total eclipse's red light is scattered a tenth less than white light of equal
+///           magnitude
 /// Source    Krisciunas & Schaefer (1991), PASP 103, 1033
 double moonlit_sky_cd_m2(const SkyLamp& moon, const SkyDirection& towards, double extinction_mag);
 

@@ -16,9 +16,9 @@ namespace {
 constexpr int seasons = 12;
 
 struct Tropopause {
-  std::vector<double> latitudes;   // of one season
-  std::vector<double> heights_km;  // season by season
-  double first;                    // fraction of the year where the first season stands
+  std::vector<double> latitudes;   // the same in all seasons
+  std::vector<double> heights_km;  // for each season in turn, at all latitudes
+  double first;                    // fraction of the year at the first season
 };
 
 Tropopause tropopause() {

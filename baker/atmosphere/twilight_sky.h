@@ -12,11 +12,11 @@ namespace coppermoon::atmosphere {
 /// Twilight of a clear sky in every direction: sunlight scattered any number of times by spherical air.
 ///
 /// Interpolates the logarithms in twilight_sky.csv by the Sun's altitude and by the observer's aerosol, ozone and
-/// elevation. Below the table's last altitude, -16 degrees, the mean slope there continues.
+/// elevation. Below the table's lowest altitude of the Sun, -16 degrees, light falls further at the mean rate there.
 ///
 /// Given     sun_altitude  of the Sun's centre, airless; -90 to 5 degrees
-/// Accuracy  a quarter down to a Sun at -6 degrees, a third at -12; the zenith is 0.2 to 0.5 mag darker than measured
-///           on Paranal
+/// Accuracy  a quarter with the Sun down to -6 degrees, a third at -12; the zenith is 0.2 to 0.5 mag darker than
+///           measured on Paranal
 /// Omits     refraction, polarisation, aerosol in the stratosphere; light from the mesosphere
 /// Throws    Error         when the Sun's altitude or a term of the air is outside its range
 /// Source    data/make_twilight_sky.py
@@ -26,7 +26,7 @@ class TwilightSky {
 
   /// Light in a direction [cd/m²], linear Rec.709.
   ///
-  /// Given  altitude  0 to 90 degrees; held at either end
+  /// Given  altitude  0 to 90 degrees; values outside are clamped
   ///        aside     azimuth relative to the Sun's
   std::array<double, 3> towards(algebra::Angle altitude, algebra::Angle aside) const;
 

@@ -21,7 +21,7 @@ using almanac::LunarTheory;
 enum class Edge { umbra, penumbra };
 enum class Touch { outside, inside };
 
-/// Angle of the Moon's limb from the contact, positive outside the phase that the contact begins or ends.
+/// Angle from the Moon's limb to the shadow's edge; negative during the phase that their contact begins or ends.
 double gap(const Sighting& sighting, ShadowConvention convention, Edge edge, Touch touch) {
   const auto radii = shadow_radii(convention, sighting.axis, sighting.moon);
   const double shadow = algebra::in_radians(edge == Edge::umbra ? radii.umbra : radii.penumbra);
@@ -38,7 +38,7 @@ struct Pass {
   double greatest_s;
 };
 
-/// Beginning and end of a phase; empty if the Moon does not get that deep into the shadow.
+/// Beginning and end of a phase of the eclipse; both are empty if the Moon does not go deep enough into the shadow.
 struct Pair {
   std::optional<Instant> first, last;
 };
@@ -97,8 +97,8 @@ std::optional<Eclipse> eclipse_near(const Instant& middle, ShadowConvention conv
                  almanac::Calendar::gregorian};
 }
 
-/// Whether an eclipse is possible by moon98, so that the slow theory can be skipped if not. The margin of 0.05 of the
-/// Moon's diameter is 90″.
+/// Whether an eclipse is possible according to the fast theory, moon98; if not, the slow theory is not needed. The
+/// margin for errors of moon98 is 0.05 of the Moon's diameter, or 90″.
 bool is_candidate(const Instant& middle, ShadowConvention convention) {
   const Lunation lunation = lunation_around(middle, LunarTheory::moon98);
   return magnitude(sighting_at(lunation, 0), convention, Edge::penumbra) > -0.05;
@@ -112,8 +112,8 @@ std::optional<Eclipse> eclipse_of_full_moon(int number, ShadowConvention convent
   return eclipse_near(middle, convention, theory);
 }
 
-/// Half a second of tolerance, since contacts and the greatest phase are written to the second.
-constexpr double rounding_s = 0.5 + 1e-3;  // 1e-3 for the rounding of Julian dates
+/// Tolerance for comparing times: half a second, because contacts are written to the second.
+constexpr double rounding_s = 0.5 + 1e-3;  // 1e-3 covers rounding errors of Julian dates
 
 double seconds_apart(const Instant& a, const Instant& b) {
   return std::abs(almanac::seconds_between(a, b));
@@ -148,7 +148,7 @@ std::optional<Eclipse> eclipse_at(const Instant& instant, ShadowConvention conve
 }
 
 Eclipse nearest_eclipse(const Instant& instant, ShadowConvention convention, LunarTheory theory) {
-  constexpr int longest_gap = 12;  // full Moons; two eclipses are never more than six apart
+  constexpr int longest_gap = 12;  // full Moons; successive eclipses are at most six apart
   const int number = full_moon_number(instant);
   std::vector<Instant> middles;
   for (int i = number - longest_gap; i <= number + longest_gap; ++i)

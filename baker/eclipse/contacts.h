@@ -18,14 +18,14 @@ enum class EclipseType { penumbral, partial, total };
 /// The name of a type: "penumbral", "partial" or "total".
 const char* name(EclipseType type);
 
-/// Contacts of the Moon's disc with the shadow: external (P1, P4 with the penumbra; U1, U4 with the umbra) and
-/// internal (U2, U3 with the umbra). A contact is empty if the eclipse does not have it.
+/// Contacts of the Moon's disc with the shadow: external (P1, P4 with the penumbra; U1, U4 with the umbra) and internal
+/// (U2, U3 with the umbra). A contact is empty if it does not occur in the eclipse.
 struct Contacts {
   std::optional<almanac::Instant> P1, U1, U2, U3, U4, P4;
 };
 
 struct Eclipse {
-  almanac::Instant greatest;  ///< least angle between the Moon's centre and the axis
+  almanac::Instant greatest;  ///< moment when the Moon's centre is at its least angle from the axis
   EclipseType type = EclipseType::penumbral;
   /// distance of the Moon's centre from the axis at greatest eclipse, in Earth radii, positive to the north
   double gamma = 0;
@@ -62,12 +62,12 @@ std::string title(const Eclipse& eclipse);
 
 /// Eclipses whose greatest phase lies between two moments, in order of time.
 ///
-/// moon98 searches the full Moons near a node, and `theory` refines the eclipses found.
+/// The fast theory moon98 finds eclipses among the full Moons near a node; `theory` then refines them.
 ///
-/// Accuracy  against 55 published times, 1951 to 2025: 7.9 s worst and 2.4 s on average with
-///           elp_2000_82b, 11.9 s and 4.0 s with moon98 (36 s is possible). The largest differences are in 2025,
-///           where the published times use a predicted ΔT (Espenak & Meeus 2006) that is 5.7 s too large. Before
-///           1900 and after 2100, the accuracy is that of the ephemerides and ΔT
+/// Accuracy  against 55 published times, 1951 to 2025: 7.9 s at worst and 2.4 s on average with elp_2000_82b, 11.9 s
+///           and 4.0 s with moon98 (up to 36 s is possible). The largest differences are in 2025, because the published
+///           times use a predicted ΔT (Espenak & Meeus 2006) that is 5.7 s too large. Before 1900 and after 2100, the
+///           accuracy is limited by the ephemerides and ΔT
 /// Throws    Error  if `to` is before `from`
 std::vector<Eclipse> eclipses_between(
     const almanac::Instant& from, const almanac::Instant& to, ShadowConvention convention,
@@ -76,12 +76,12 @@ std::vector<Eclipse> eclipses_between(
 /// The contacts and the greatest phase with their names, "P1" … "greatest" … "P4", in order of time.
 std::vector<std::pair<std::string, almanac::Instant>> contacts_of(const Eclipse& eclipse);
 
-/// The eclipse, if any, whose greatest phase, rounded to the second, falls within the 24 h after midnight.
+/// The eclipse, if any, whose greatest phase, rounded to the second, falls on the day that begins at `midnight`.
 std::optional<Eclipse> eclipse_of_day(const almanac::Instant& midnight,
                                       ShadowConvention convention);
 
-/// The eclipse, if any, that is in progress at a moment, from P1 to P4. Contacts are rounded to the second, as they
-/// are written.
+/// The eclipse, if any, that is in progress at a moment, which means between P1 and P4. Both contacts are rounded to
+/// the second, as in reports.
 std::optional<Eclipse> eclipse_at(const almanac::Instant& instant, ShadowConvention convention,
                                   almanac::LunarTheory theory = almanac::LunarTheory::elp_2000_82b);
 

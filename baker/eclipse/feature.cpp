@@ -30,7 +30,7 @@ glm::dvec3 position_m(const glm::dvec3& direction, const glm::dvec3& moon_m, con
                       (glm::transpose(selenographic_from_gcrs) * direction);
 }
 
-/// How far a feature is outside the umbra, as an angle seen from the Earth.
+/// Angle by which a feature is outside the umbra, as seen from the Earth; negative inside the umbra.
 double outside_umbra_rad(const Lunation& lunation, const glm::dvec3& direction, double seconds) {
   const Sighting moon = sighting_at(lunation, seconds);
   const ShadowPlace place = place_in_shadow(

@@ -11,7 +11,7 @@
 
 namespace coppermoon::eclipse {
 
-/// Times at which the umbra's edge reaches and leaves a place on the Moon; both empty if the umbra misses the place.
+/// Times at which the umbra's edge reaches and leaves a place on the Moon; both are empty if the umbra misses it.
 struct FeatureTimes {
   std::optional<almanac::Instant> immersion, emersion;
 };
@@ -22,12 +22,11 @@ void describe_times(Field&& is, const FeatureTimes& times) {
   is("emersion", algebra::if_any(times.emersion), "moment at which the umbra's edge leaves it");
 }
 
-/// Times at which the umbra's edge crosses a lunar feature, always with ShadowConvention::danjon_oblate. Places on the
-/// far side, which are not visible, have times too.
+/// Times at which the umbra's edge crosses a lunar feature, always with ShadowConvention::danjon_oblate. Times are also
+/// given for places on the far side, which cannot be seen.
 ///
 /// Given     place     latitude −90° to 90°, longitude −360° to 360°
-/// Accuracy  against the 16 published times of 3 March 2007 (to the minute): 32 s worst, 14 s on
-///           average
+/// Accuracy  against 16 times of 3 March 2007, published to the minute: 32 s at worst and 14 s on average
 /// Omits     the height of the ground above the mean sphere: 3 km at the disc's edge would change a time by 3 s
 /// Throws    Error  if the place is out of range
 /// Source    crater timings by Espenak, NASA Eclipse Home Page

@@ -17,10 +17,10 @@ constexpr double sample_spacing_s = 3 * 3600;
 constexpr double synodic_month_days = 29.530588861;
 constexpr double first_full_moon_tt = 2451550.09766 + 0.5 * synodic_month_days;
 
-/// Centuries from 2000 to a full Moon.
+/// Centuries from the year 2000 to the full Moon with the given number.
 double centuries(double number) { return (number + 0.5) / 1236.85; }
 
-/// Moment of a mean full Moon, from Meeus (1998), equation 49.1.
+/// Moment of the mean full Moon with the given number, from Meeus (1998), equation 49.1.
 Instant mean_full_moon(int number) {
   const double t = centuries(number);
   return almanac::later({first_full_moon_tt, 0},
@@ -36,15 +36,16 @@ glm::dvec3 moon_m(const Lunation& lunation, double seconds) {
          on_parabola(lunation.added_to_moon98_m, seconds / sample_spacing_s);
 }
 
-/// Components of the Moon's direction perpendicular to the axis, east and north; their length is the sine of the
-/// angle from the axis.
+/// Components of the Moon's direction perpendicular to the shadow axis, towards east and north. The length of this
+/// vector is the sine of the Moon's angle from the axis.
 glm::dvec2 across_axis(const glm::dvec3& sun_m, const glm::dvec3& moon_m,
                        const glm::dvec3& celestial_pole) {
   const glm::dmat3 shadow_from_gcrs = shadow_axis(sun_m, celestial_pole).shadow_from_gcrs;
   return glm::dvec2(shadow_from_gcrs * glm::normalize(moon_m));
 }
 
-/// Time at which p(t) is nearest to the origin, found by iterating a straight line through two neighbouring points.
+/// Time t at which place(t) is nearest to the origin. Each iteration assumes that place(t) moves along the straight
+/// line through two neighbouring points.
 template <class Place>
 double time_of_least_distance_s(Place place, double tolerance_s) {
   constexpr double half_step_s = 300;

@@ -13,27 +13,27 @@ namespace coppermoon::eclipse {
 /// Number of the full Moon nearest to a moment; 0 is 21 January 2000.
 int full_moon_number(const almanac::Instant& instant);
 
-/// Whether the Moon may touch the penumbra at a full Moon: whether its mean argument of latitude is within 21° of a
-/// node.
+/// Whether the Moon may touch the penumbra at the full Moon with the given number. For this, its mean argument of
+/// latitude must be within 21° of a node.
 ///
 /// Source  Meeus (1998), Astronomical Algorithms, chapter 54
 bool eclipse_is_possible(int number);
 
-/// Moment at which the Moon is nearest to the shadow axis around a full Moon, computed with moon98 to a minute.
+/// Moment around the given full Moon at which the Moon is nearest to the shadow axis, found with moon98 to a minute.
 almanac::Instant nearest_to_axis(int number);
 
-/// Fast ephemeris for the hours around one full Moon. The Sun follows a parabola through three samples. The Moon
-/// follows moon98 and, for elp_2000_82b, a parabola through three samples of the difference between the theories.
+/// Fast ephemeris for the hours around a full Moon. The Sun follows a parabola through three samples. The Moon follows
+/// moon98; for elp_2000_82b, a parabola through three samples of the two theories' difference is added.
 struct Lunation {
   almanac::Instant middle;
   glm::dvec3 celestial_pole;
-  std::array<glm::dvec3, 3> sun_m, added_to_moon98_m;  ///< at −3 h, 0 and +3 h from the middle
+  std::array<glm::dvec3, 3> sun_m, added_to_moon98_m;  ///< sampled −3, 0 and 3 h from the middle
 };
 
 /// Accuracy  0.05″ within 3 h of the middle
 Lunation lunation_around(const almanac::Instant& middle, almanac::LunarTheory theory);
 
-/// Place of the Moon in the shadow at one moment.
+/// Position of the Moon in the shadow at one moment.
 struct Sighting {
   ShadowAxis axis;
   ShadowPlace moon;
@@ -42,7 +42,7 @@ struct Sighting {
 
 Sighting sighting_at(const Lunation& lunation, double seconds_after_middle);
 
-/// When the Moon's angle from the axis, seen from the Earth, is smallest, in seconds after the middle of the lunation.
+/// Time at which the Moon's angle from the axis, seen from the Earth, is smallest [s after the lunation's middle].
 double least_axis_angle_s(const Lunation& lunation);
 
 }  // namespace coppermoon::eclipse

@@ -20,7 +20,7 @@ using almanac::Instant;
 
 constexpr double half_a_month_s = 15 * 86400.;
 
-/// A contact and the seconds after it, read from a text such as "P1-10min".
+/// A moment relative to a contact, read from a text such as "P1-10min": the contact's name, and the seconds after it.
 struct FromContact {
   std::string name;
   std::optional<double> seconds;
@@ -32,7 +32,7 @@ FromContact from_contact(const std::string& text) {
   const auto seconds =
       algebra::number_with_unit(text.substr(sign + 1), {{"min", 60}, {"h", 3600}, {"s", 1}});
   const double way = text[sign] == '-' ? -1 : 1;
-  const bool near = seconds && std::abs(*seconds) <= half_a_month_s;  // false if it is not a number
+  const bool near = seconds && std::abs(*seconds) <= half_a_month_s;  // false if absent or NaN
   return {text.substr(0, sign), near ? std::optional(way * *seconds) : std::nullopt};
 }
 
@@ -44,7 +44,7 @@ bool is_like(std::string_view text, std::string_view pattern) {
          });
 }
 
-/// A text in lower case, without spaces.
+/// Converts a text to lower case and removes its spaces.
 std::string plain(std::string_view text) {
   std::string letters;
   for (const char letter : text)

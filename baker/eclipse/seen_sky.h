@@ -18,7 +18,7 @@ struct SeenSky {
   std::optional<almanac::ObserverView> view;  ///< empty if no place is given
 };
 
-/// Describes the numbers for the Sun, the Moon and the shadow.
+/// Lists the numbers that describe the Sun, the Moon and the shadow, with their units and meanings.
 template <class Field>
 void describe_sky(Field&& is, const almanac::SkyState& sky) {
   namespace unit = algebra::unit;
@@ -52,7 +52,7 @@ void describe_sky(Field&& is, const almanac::SkyState& sky) {
       unit::kilometres, "distance of the Moon's centre from the axis of the Earth's shadow");
 }
 
-/// Describes the numbers for the Moon as seen from a place; they are absent if there is no view.
+/// Lists the numbers that describe the Moon as seen from a place. They are absent if there is no view.
 template <class Field>
 void describe_view(Field&& is, const std::optional<almanac::ObserverView>& view) {
   namespace unit = algebra::unit;

@@ -9,14 +9,14 @@
 
 namespace coppermoon::eclipse {
 
-/// The line from the Sun's centre through the Earth's centre, with its own frame:
-/// X towards celestial east, Y towards celestial north, Z away from the Sun; right-handed, origin
-/// at the Earth's centre. East and north are those of the sky at the shadow, seen from the Earth.
+/// The line from the Sun's centre through the Earth's centre, and the shadow frame, which is right-handed and has its
+/// origin at the Earth's centre: X points to celestial east, Y to celestial north, Z away from the Sun. East and north
+/// are directions in the sky at the shadow, as seen from the Earth.
 struct ShadowAxis {
   glm::dmat3 shadow_from_gcrs;
   algebra::Length sun_distance;
   algebra::Angle sun_declination =
-      {};  ///< apparent, of date: how far the Earth's poles tip towards the axis
+      {};  ///< Sun's apparent declination of date, by which the Earth's poles tip towards the axis
 };
 
 /// Accuracy  that of almanac::apparent_sun_m: 0.1″, or 0.2 km at the Moon, from 1800 to 2100
@@ -25,25 +25,25 @@ ShadowAxis shadow_axis(const almanac::SkyState& sky);
 /// Computes the shadow axis from the apparent position of the Sun alone.
 ///
 /// Given  sun_m           apparent geocentric position, GCRS axes [m]
-///        celestial_pole  of date, unit, GCRS axes
+///        celestial_pole  unit vector to the celestial pole of date, GCRS axes
 ShadowAxis shadow_axis(const glm::dvec3& sun_m, const glm::dvec3& celestial_pole);
 
-/// Place of a point in the shadow frame, in cylindrical coordinates.
+/// Position of a point in the shadow frame, in cylindrical coordinates.
 struct ShadowPlace {
   algebra::Length axis_distance;  ///< distance from the shadow axis
   algebra::Angle position_angle;  ///< about the axis, from celestial north through east, 0 to 2π
-  algebra::Length depth;  ///< distance beyond the Earth's centre along the axis; negative: sunward
+  algebra::Length depth;  ///< distance beyond the Earth's centre along the axis, negative sunward
 };
 
 /// Given  position_m  geocentric, GCRS axes [m]
 ShadowPlace place_in_shadow(const ShadowAxis& axis, const glm::dvec3& position_m);
 
-/// Place of the Moon's centre in the shadow.
+/// Position of the Moon's centre in the shadow.
 ShadowPlace moon_in_shadow(const almanac::SkyState& sky);
 
-/// Place of the Moon's ground in the shadow.
+/// Position in the shadow of a place on the Moon's ground.
 ///
-/// Given  ground  unit vector, Moon-fixed axes
+/// Given  ground  unit vector from the Moon's centre to the place, Moon-fixed axes
 ShadowPlace place_of_ground(const ShadowAxis& axis, const almanac::SkyState& sky,
                             const glm::dvec3& ground);
 

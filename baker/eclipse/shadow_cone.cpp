@@ -22,14 +22,14 @@ double lunar_parallax(const ShadowPlace& moon) {
   return std::asin(atmosphere::earth_equatorial_radius_m / distance_m(moon));
 }
 
-/// Radius of the Earth's limb below the Moon, in equatorial radii.
+/// Radius of the Earth's limb at the Moon's position angle, in equatorial radii of the Earth.
 double limb_ratio(const ShadowAxis& axis, const ShadowPlace& moon) {
   const auto figure = atmosphere::ellipsoid(algebra::in_radians(axis.sun_declination));
   const auto limb = atmosphere::limb_at(figure, algebra::in_radians(moon.position_angle));
   return limb.radius_m / atmosphere::earth_equatorial_radius_m;
 }
 
-/// The parallaxes πm + πs and the Sun's semidiameter, as a convention enlarges them.
+/// The sum πm + πs of the parallaxes, and the Sun's semidiameter, both enlarged as a convention prescribes.
 struct Enlarged {
   double parallaxes, semidiameter;
 };

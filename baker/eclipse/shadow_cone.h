@@ -16,38 +16,38 @@ namespace coppermoon::eclipse {
 ///     chauvenet       1.02 (0.998340 πm + πs ∓ s)
 ///     herald_sinnott  (πm + πs) (r + 87 km) / a ∓ s
 ///
-/// πm and πs are the equatorial horizontal parallaxes of Moon and Sun, s the Sun's semidiameter;
-/// the upper sign is for the umbra, the lower for the penumbra. danjon's 1.01 is 1 + 1/85 − 1/594: 75 km
-/// of air on the Earth's mean radius. NASA has used it since 2009. danjon_oblate has the same air on the
-/// limb itself, as in NASA's timings of craters. The almanacs and NASA used chauvenet before; its umbral
-/// magnitude is larger by 0.005, its penumbral magnitude by 0.026. In the two oblate conventions, r is the
-/// radius of the limb below the Moon (atmosphere::limb_at) and a the Earth's equatorial radius.
+/// πm and πs are the equatorial horizontal parallaxes of the Moon and the Sun, and s is the Sun's semidiameter. The
+/// upper sign is for the umbra, the lower for the penumbra. danjon's factor 1.01 is 1 + 1/85 − 1/594, which adds 75 km
+/// of air to the Earth's mean radius; NASA has used it since 2009. danjon_oblate adds the same air to the limb itself,
+/// as NASA does in its timings of craters. Before, NASA and the almanacs used chauvenet, whose umbral magnitudes are
+/// larger by 0.005 and penumbral ones by 0.026. In the two oblate conventions, r is the radius of the limb at the
+/// Moon's position angle (atmosphere::limb_at), and a is the Earth's equatorial radius.
 ///
 /// Source  Espenak & Meeus (2009), Five Millennium Canon of Lunar Eclipses, NASA/TP-2009-214172;
 ///         Herald & Sinnott (2014), J. Brit. Astron. Assoc. 124, 247
 enum class ShadowConvention { danjon, danjon_oblate, chauvenet, herald_sinnott };
 
-/// Words for the conventions, as on the command line and in Python.
+/// Words for the conventions on the command line and in Python.
 inline constexpr std::array<std::pair<const char*, ShadowConvention>, 4> convention_words{
     {{"danjon", ShadowConvention::danjon},
      {"danjon-oblate", ShadowConvention::danjon_oblate},
      {"chauvenet", ShadowConvention::chauvenet},
      {"herald-sinnott", ShadowConvention::herald_sinnott}}};
 
-/// Radii of the shadow at the Moon's distance, as angles seen from the Earth's centre. Beyond the tip of the umbra, its
-/// radius is negative.
+/// Radii of the shadow at the Moon's distance, as angles seen from the Earth's centre. The umbra's radius is negative
+/// beyond its tip.
 struct ShadowRadii {
   algebra::Angle umbra, penumbra;
 };
 
-/// Given   moon  a place in the shadow; its position angle matters only for the oblate conventions
+/// Given   moon  any place in the shadow; its position angle matters only for the oblate conventions
 ShadowRadii shadow_radii(ShadowConvention convention, const ShadowAxis& axis,
                          const ShadowPlace& moon);
 
-/// Distance from the axis of a place seen at an angle from it, at the Moon's distance from the Earth's centre.
+/// Distance from the axis that corresponds to an angle from it, at the Moon's distance from the Earth's centre.
 algebra::Length axis_distance_at(algebra::Angle from_axis, const ShadowPlace& moon);
 
-/// Radius of the Moon in equatorial radii of the Earth, the same for every convention.
+/// Radius of the Moon in equatorial radii of the Earth, used with every convention.
 inline constexpr double lunar_radius_in_earth_radii = 0.2725076;
 
 /// The Moon's semidiameter as seen from the Earth's centre.

@@ -5,8 +5,8 @@
 
 namespace coppermoon::eclipse {
 
-/// Finds, to 1 ms, a zero of f between the moments a and b [s], at which f has opposite signs. The method is false
-/// position in its Illinois variant.
+/// Finds, to 1 ms, a zero of f between the moments a and b [s], at which f has opposite signs. It uses the Illinois
+/// variant of the method of false position.
 template <class Function>
 double zero_between(Function f, double a, double b) {
   double fa = f(a), fb = f(b);

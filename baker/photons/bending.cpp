@@ -17,21 +17,21 @@ namespace {
 using atmosphere::Column;
 using atmosphere::Optics;
 
-/// Column of air at one wavelength, as a function of altitude.
+/// Properties of a column of air at one wavelength, as functions of altitude.
 struct Air {
   double earth_radius_m;
   const Column& column;
   double refractivity;
 
-  /// Excess of n r over r: (n − 1) r.
+  /// Amount by which n r exceeds r: (n − 1) r.
   double optical_excess(double h) const {
     return refractivity * atmosphere::density_ratio(column, h).value * (earth_radius_m + h);
   }
-  /// Height n r − R, which equals b − R at the tangent point.
+  /// The height n r − R, which equals b − R at the tangent point.
   double optical_height(double h) const { return h + optical_excess(h); }
 };
 
-/// Altitude where n r = b, by bisection to the last digit, as n r increases with altitude above the ground.
+/// Altitude where n r = b, found by bisection to the last digit. This works because n r increases with altitude.
 double tangent_height(const Air& air, double impact_height_m, double top_m) {
   constexpr int halvings = 64;
   double low = 0, high = top_m;
@@ -42,8 +42,8 @@ double tangent_height(const Air& air, double impact_height_m, double top_m) {
   return std::midpoint(low, high);
 }
 
-/// Breaks with more inserted above the first: a break just above the tangent height leaves the integrand nearly
-/// singular, so each later piece ends at most four times as far along √(r − r_t) as it begins.
+/// Inserts further breaks, because a break just above the tangent height leaves the next piece's integrand nearly
+/// singular. Every piece after the first then ends at most four times as far along √(r − r_t) as it begins.
 std::vector<double> with_short_pieces_first(std::vector<double> breaks) {
   constexpr double longest = 16;
   const double bottom_m = breaks.front(), top_m = breaks.back();
@@ -53,10 +53,10 @@ std::vector<double> with_short_pieces_first(std::vector<double> breaks) {
   return breaks;
 }
 
-/// Altitude below which the profiles of a month's air have knees at whole kilometres.
+/// Altitude below which the profiles of a given month's air have kinks at whole kilometres.
 constexpr double knees_below_m = 32e3;
 
-/// Altitudes from `bottom_m` up between which the air is smooth, at most 8 km apart.
+/// Altitudes from `bottom_m` to the top of the air that separate smooth pieces, at most 8 km apart.
 std::vector<double> pieces_above(double bottom_m, const Column& column, double top_m) {
   constexpr double knees_apart_m = 1e3, longest_m = 8e3;
   std::vector<double> breaks = atmosphere::breaks_m(column);
@@ -73,30 +73,30 @@ std::vector<double> pieces_above(double bottom_m, const Column& column, double t
   return breaks.size() > 2 ? with_short_pieces_first(std::move(breaks)) : breaks;
 }
 
-/// Interval of altitude in which the air is smooth.
+/// Range of altitudes in which the air is smooth.
 struct Piece {
   double from_m, to_m;
 };
 
-/// Node of the quadrature over altitude, and the air there.
+/// Node of the quadrature over altitude, with the properties of the air there.
 struct Node {
   double above_m, r_m, dh_m;  ///< height above the tangent height, distance from the centre, weight
   atmosphere::ValueAndSlope density;
   atmosphere::Amounts profiles;
 };
 
-/// Half of a ray, from its tangent height up.
+/// One half of a ray, from its tangent height upwards.
 struct HalfRay {
   Air air;
   LimbPath path;
   double at_tangent = air.optical_excess(path.tangent_height_m);
-  /// n r − b at the lower end of a piece, if that is close to the tangent height.
+  /// n r − b at the lower end of the current piece, if that end is close to the tangent height.
   double over_b_m = 0;
 
-  /// Height above the tangent height below which the difference of two excesses is lost in rounding.
+  /// Below this height above the tangent, n r − b is not computed as a difference, because rounding would spoil it.
   static constexpr double close_m = 1e-4;
 
-  /// Difference n r − b; close to the tangent height, from the slope of n r and the piece's lower end.
+  /// The difference n r − b; close to the tangent height, computed from the piece's lower end and the slope of n r.
   double over_b(const Piece& piece, double above_m, const atmosphere::ValueAndSlope& density,
                 double r) const {
     if (above_m > close_m) return above_m + (air.refractivity * density.value * r - at_tangent);
@@ -119,13 +119,13 @@ struct HalfRay {
   void end(const Piece& piece) {
     const double above_m = piece.to_m - path.tangent_height_m;
     if (above_m > close_m) return;
-    const double h = std::midpoint(piece.from_m, piece.to_m);  // on this side of the break
+    const double h = std::midpoint(piece.from_m, piece.to_m);  // in the piece, not at the break
     over_b_m =
         over_b(piece, above_m, atmosphere::density_ratio(air.column, h), air.earth_radius_m + h);
   }
 };
 
-/// Number of nodes of the quadrature over a piece.
+/// Number of quadrature nodes for a piece.
 int nodes_of(const Piece& piece, const Column& column) {
   constexpr int a_piece = 16, above_knees = 10, between_knees = 3;
   if (!column.seasonal_air) return a_piece;

@@ -15,7 +15,7 @@
 namespace coppermoon::photons {
 namespace {
 
-/// Column of air, and a position angle of the limb at which it is found.
+/// A column of air, and a position angle of the limb at which this column lies.
 struct Seat {
   std::size_t column;
   double position_angle_rad;
@@ -38,11 +38,11 @@ std::vector<Seat> seats_of(const atmosphere::Atmosphere& atmosphere) {
   return all;
 }
 
-/// Gauss nodes between two position angles, for a smooth function times a harmonic.
+/// Gauss nodes between two position angles, to integrate a smooth function times harmonics up to `highest`.
 std::vector<algebra::QuadratureNode> nodes_between(double from, double to, int highest) {
   constexpr int count = 16;
   constexpr double phase =
-      8;  // radians of a harmonic that one piece's nodes integrate to within rounding
+      8;  // phase of a harmonic [rad] that the nodes of one piece can integrate to within rounding
   const double pieces = std::ceil((to - from) * (highest + 2) / phase),
                half = (to - from) / pieces / 2;
   std::vector<algebra::QuadratureNode> all;
@@ -52,7 +52,7 @@ std::vector<algebra::QuadratureNode> nodes_between(double from, double to, int h
   return all;
 }
 
-/// Sets coefficients at rounding level to 0, and drops the last harmonics that are 0 in all parts.
+/// Sets coefficients that are only rounding errors to 0, and drops the highest harmonics that are 0 in all parts.
 void drop_negligible(std::vector<WholeLimb::Series>& all) {
   constexpr double negligible = 1e-12;
   std::size_t count = 1;

@@ -10,13 +10,13 @@
 
 namespace coppermoon::photons {
 
-/// Number of parts in an atmosphere's limb (WholeLimb): one for each belt, one or two for each other column in use.
+/// Number of parts of the limb (WholeLimb): one for each belt, and one or two for each other column in use.
 std::size_t parts_of_limb(const atmosphere::Atmosphere& atmosphere);
 
-/// Limb of the Earth in parts, each with a table of rays. A belt is one part, with the ground's radius at the belt;
-/// any other column is one part on a sphere, and two on an ellipsoid, at the equator and at the pole. Columns with no
-/// weight anywhere on the limb have no part. Between equator and pole,
-/// light is the weighted mean of both parts, the pole's weight being cos² of the position angle.
+/// The Earth's limb, divided into parts that each have a table of rays. A belt is one part, with the ground's radius at
+/// the belt. Any other column is one part on a sphere, or two on an ellipsoid, at the equator and at the pole; between
+/// them, light is the mean of both, with cos² of the position angle as the pole's weight. Columns with no weight
+/// anywhere on the limb have no part.
 class WholeLimb {
  public:
   struct Part {
@@ -35,11 +35,11 @@ class WholeLimb {
     std::vector<double> cosine, sine;
   };
 
-  /// When fans are made: all in the constructor, or each by a call of `fan`, as fans for hundreds of wavelengths would
-  /// fill the memory.
+  /// When fans are made: all in the constructor, or each when `fan` is called, because fans for hundreds of wavelengths
+  /// would fill the memory.
   enum class Fans { made, when_asked };
 
-  /// Given  optics  of each wavelength
+  /// Given  optics  optical properties at each wavelength
   ///        rays    number of rays in each fan
   WholeLimb(const atmosphere::Atmosphere& atmosphere, std::span<const atmosphere::Optics> optics,
             int rays, Fans fans = Fans::made);
@@ -48,31 +48,30 @@ class WholeLimb {
 
   /// Fan of rays for one part at one wavelength.
   ///
-  /// Given  optics  with a refractivity between those for which the limb was made
-  ///        air     the limb's, or one that differs only in amounts (LimbTable::fan)
+  /// Given  optics  its refractivity must lie between those for which the limb was made
+  ///        air     the limb's atmosphere, or one that differs only in amounts of absorbers (LimbTable::fan)
   Fan fan(std::size_t part, const atmosphere::Optics& optics,
           const atmosphere::Atmosphere& air) const {
     return tables_[part].fan(optics, *air.columns()[parts_[part].column_index]);
   }
 
-  /// Parts of the limb at a position angle, with weights that add up to 1. The second weight is 0 where one part
-  /// suffices.
+  /// Parts of the limb at a position angle, with weights that add up to 1. The second weight is 0 if one part suffices.
   ///
-  /// Accuracy  on an ellipsoid the pole's share is taken as cos² of the position angle: 0.3 % of the
-  ///           difference between pole and equator
+  /// Accuracy  0.3 % of the difference between pole and equator, because an ellipsoid's pole is weighted by cos² of the
+  ///           position angle
   std::array<Share, 2> at(double position_angle_rad) const;
 
   /// Weight of each part as a Fourier series in the position angle.
   ///
   /// Given     highest  highest harmonic wanted, 0 or more
-  /// Returned  by part, all of the same length: up to the last harmonic that is nonzero in any part
+  /// Returned  one series for each part, all up to the last harmonic that is nonzero in any part
   /// Accuracy  1e-12; smaller coefficients are set to 0
   std::vector<Series> series(int highest) const;
 
  private:
   atmosphere::Atmosphere atmosphere_;
   std::vector<Part> parts_;
-  std::vector<LimbTable> tables_;  ///< of each part, with Fans::when_asked
+  std::vector<LimbTable> tables_;  ///< one for each part with Fans::when_asked, otherwise none
   std::vector<std::size_t>
       part_of_column_;  ///< each column's first part; arbitrary for a column not in use
 };

@@ -15,32 +15,32 @@ namespace coppermoon::photons {
 ///     I(μ)/Ī = Σ A_k μ^k / (A_0 + 2 Σ A_k/(k + 2))        k = 0 … 5,   A_k linear in wavelength
 ///
 /// Given     wavelength  380 to 780 nm
-///           cos_angle   μ = √(1 − ρ²), ρ the distance from the centre in solar radii: 0 at the limb, 1 at
-///                       the centre
-/// Returned  at 550 nm 1.246 at the centre and 0.33 at the limb; the mean over the disc is 1
-/// Accuracy  against Neckel (2005), a fit smooth in wavelength, for μ >= 0.1: 1 % (400 to 780 nm) or 1.3 %
+///           cos_angle   μ = √(1 − ρ²), with ρ the distance from the centre in solar radii; 0 at the limb, 1 at the
+///                       centre
+/// Returned  at 550 nm, 1.246 at the centre and 0.33 at the limb; the mean over the disc is 1
+/// Accuracy  compared with Neckel (2005), whose fit is smooth in wavelength, for μ >= 0.1: 1 % (400 to 780 nm) or 1.3 %
 ///           (385 nm) of the radiance at the centre
-/// Omits     spectral lines, as the table is for the continuum
-/// Throws    Error       when an argument is outside its range
+/// Omits     spectral lines, because the table is for the continuum
+/// Throws    Error       if an argument is outside its range
 /// Source    Neckel & Labs (1994), Solar Phys. 153, 91
 double limb_darkening(algebra::Wavelength wavelength, double cos_angle);
 
 /// Sun's disc as a stack of concentric uniform discs.
 struct DiscLayers {
-  std::vector<double> radius;        ///< [layer] in solar radii, the outermost, 1, first
-  algebra::Grid<double> brightness;  ///< (layer, wavelength) relative to the disc's mean radiance
+  std::vector<double> radius;        ///< [layer] in solar radii; the outermost, 1, comes first
+  algebra::Grid<double> brightness;  ///< (layer, wavelength), relative to the disc's mean radiance
 };
 
 /// Divides the Sun's disc into layers. The share of the Sun's light that comes from an area of the disc is the sum,
-/// over layers, of brightness times the area common to both, divided by the area of the unit disc.
+/// over all layers, of the layer's brightness times its overlap with that area, divided by the area of the unit disc.
 ///
-///     limb-darkened: a layer of radius 1 and brightness I(0)/Ī, and 32 of radius √(1 − μ²) and brightness
-///     w I′(μ)/Ī, with Gauss nodes μ and weights w on (0, 1);   else one layer of radius 1 and brightness 1
+///     With limb darkening: one layer of radius 1 and brightness I(0)/Ī, and 32 layers of radius √(1 − μ²) and
+///     brightness w I′(μ)/Ī, with Gauss nodes μ and weights w on (0, 1). Without: one layer, radius and brightness 1
 ///
 /// Given     wavelengths_nm  380 to 780 nm
-/// Returned  layers with Σ brightness radius² = 1 at every wavelength
-/// Accuracy  light within any radius to 3e-4 of the Sun's; means of ρ² and ρ⁴ over the disc exact
-/// Throws    Error           when limb-darkened at a wavelength outside its range
+/// Returned  layers for which Σ brightness radius² is 1 at every wavelength
+/// Accuracy  light from within any radius, 3e-4 of the Sun's light; the means of ρ² and ρ⁴ over the disc are exact
+/// Throws    Error           if limb-darkened and a wavelength is outside its range
 DiscLayers disc_layers(std::span<const double> wavelengths_nm, bool limb_darkened);
 
 /// Polynomial in the cosine μ, Σ a_k μ^k.
@@ -50,21 +50,21 @@ using DiscFunction = std::array<double, 6>;
 struct DiscTerms {
   std::vector<DiscFunction> functions;
   algebra::Grid<double>
-      brightness;  ///< (term, wavelength): coefficient of a function, relative to the mean radiance
+      brightness;  ///< (term, wavelength): coefficient of the function, relative to mean radiance
 };
 
 double value(const DiscFunction& function, double cos_angle);
 
-/// Represents the Sun's disc by terms, chosen greedily: the first is the radiance at the middle wavelength, each next
-/// one the largest residual (rms over the disc) that remains at any wavelength.
+/// Represents the Sun's disc by terms that are chosen greedily. The first is the radiance at the middle wavelength;
+/// each of the others is the largest residual (rms over the disc) that remains at any wavelength.
 ///
 /// Given     wavelengths_nm  380 to 780 nm
 ///           count           largest number of terms, 1 to 6
-/// Returned  for a uniform disc, one term, 1. At every wavelength, Σ brightness × mean of the function over the
-///           disc is 1
+/// Returned  for a uniform disc, a single term equal to 1. At every wavelength, the sum over all terms of brightness
+///           times the function's mean over the disc is 1
 /// Accuracy  error of radiance anywhere on the disc, relative to the mean radiance, 380 to 780 nm: two terms 0.07,
 ///           three 0.03, four 4e-3, six exact
-/// Throws    Error           when limb-darkened and an argument is outside its range
+/// Throws    Error           if limb-darkened and an argument is outside its range
 DiscTerms disc_terms(std::span<const double> wavelengths_nm, bool limb_darkened, int count = 6);
 
 }  // namespace coppermoon::photons

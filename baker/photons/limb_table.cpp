@@ -19,7 +19,7 @@ namespace {
 using atmosphere::Column;
 using atmosphere::Optics;
 
-/// Number of values of a path: bending, then the amounts of absorbers.
+/// Number of values that describe a path: its bending and the amounts of absorbers.
 constexpr std::size_t parts_of_path = 1 + std::tuple_size_v<atmosphere::Amounts>;
 using Path = std::array<double, parts_of_path>;
 
@@ -35,7 +35,7 @@ LimbPath path_of(double tangent_height_m, const Path& all) {
   return path;
 }
 
-/// Tangent heights at which a fan must have rays: ground, breaks, top of cloud, top of this air, top of all air.
+/// Tangent heights at which a fan must have rays: ground, breaks, cloud top, the column's top and the top of all air.
 std::vector<double> stations(const Column& column, double top_m) {
   auto heights = atmosphere::breaks_m(column);
   heights.insert(heights.end(), {0, std::max(top_m, heights.back())});
@@ -45,7 +45,7 @@ std::vector<double> stations(const Column& column, double top_m) {
   return heights;
 }
 
-/// Interval of tangent heights without a break.
+/// Interval of tangent heights that contains no break of the profiles.
 struct HeightRange {
   double low_m, high_m;
 
@@ -57,7 +57,7 @@ struct HeightRange {
   }
 };
 
-/// Chebyshev point number j between 0 and 1, ends included, in decreasing order.
+/// The j-th Chebyshev point between 0 and 1, both included, in decreasing order.
 double chebyshev_place(int j, int degree) {
   return (1 + std::cos(std::numbers::pi * j / degree)) / 2;
 }
@@ -75,7 +75,7 @@ class Polynomial {
     }
   }
 
-  /// Value by the barycentric formula, Berrut & Trefethen (2004), SIAM Review 46, 501.
+  /// Value of the polynomial, by the barycentric formula of Berrut & Trefethen (2004), SIAM Review 46, 501.
   Path operator()(double place) const {
     Path sum{};
     double total = 0;
@@ -105,9 +105,9 @@ std::vector<double> chebyshev_roots(double least, double greatest, int count) {
   return roots;
 }
 
-/// Weight of the difference between two paths. Bending counts in milliradians: one milliradian displaces a landing by
-/// the distance over which light changes by a factor e. Optical depth counts as it is, and less where transmittance
-/// is small.
+/// Measures how much the difference between two paths matters. Bending counts in milliradians, because one milliradian
+/// displaces a landing by the distance over which light changes by a factor e. Optical depth counts as it is, but less
+/// where transmittance is small.
 class Significance {
  public:
   Significance(const Column& column, const Optics& optics)
@@ -136,13 +136,13 @@ struct Follower {
   const Column& column;
   double earth_radius_m;
   std::span<const double> refractivities;
-  /// Table of profiles, for seasonal air, whose many smooth terms are slow to evaluate.
+  /// Table of profiles, used only for seasonal air, whose many smooth terms are slow to evaluate.
   std::optional<ProfileTable> table =
       column.seasonal_air ? std::optional<ProfileTable>(column) : std::nullopt;
 
-  /// Paths at the Chebyshev points of a degree.
+  /// Paths at the Chebyshev points for a polynomial of the given degree.
   ///
-  /// Given  known  paths at every other point, from half the degree; or none
+  /// Given  known  paths at every other point, already traced for half the degree; may be empty
   Points at(const HeightRange& piece, int degree, const Points& known = {}) const {
     const auto count = static_cast<std::size_t>(degree) + 1;
     Points values(refractivities.size(), std::vector<Path>(count));
@@ -159,12 +159,12 @@ struct Follower {
     return values;
   }
 
-  /// Paths at the Chebyshev points of a sufficient degree: it is doubled until half the degree predicts the paths at
-  /// the greatest refractivity to within the tolerance.
+  /// Paths at the Chebyshev points for a polynomial of sufficient degree. The degree is doubled until the polynomial of
+  /// half the degree predicts the paths at the greatest refractivity to within the tolerance.
   Points sufficient(const HeightRange& piece, const Significance& significance,
                     double error) const {
     constexpr int lowest = 6, highest = 48;
-    // least reduction of the error by doubling the degree, for profiles with kinks
+    // doubling the degree reduces the error by this factor or more, even for profiles with kinks
     constexpr double gain = 16;
     auto coarse = at(piece, lowest);
     for (int degree = 2 * lowest; degree <= highest; degree *= 2) {
@@ -183,7 +183,8 @@ struct Follower {
   }
 };
 
-/// Largest second difference of paths over an interval: the error of linear interpolation if it were not cut.
+/// Largest second difference of the paths, scaled to the whole interval. It would be the error of linear interpolation
+/// across the undivided interval.
 double unevenness(const Polynomial& path, const Significance& significance) {
   constexpr int cuts = 16;
   double worst = 0;
@@ -197,8 +198,7 @@ double unevenness(const Polynomial& path, const Significance& significance) {
   return worst * cuts * cuts;
 }
 
-/// Number of rays for each interval: at least four, and in proportion to the root of the interval's unevenness, which
-/// minimises the error.
+/// Number of rays for each interval, at least four; proportional to the root of unevenness, which minimises the error.
 std::vector<int> shares_of_rays(std::span<const double> unevenness, int rays) {
   double all = 0;
   for (const double u : unevenness) all += std::sqrt(u);

@@ -8,16 +8,16 @@
 
 namespace coppermoon::photons {
 
-/// Inner edge of the ring of air: least radius of the Earth's limb [m].
+/// Inner radius of the ring of air: the least radius of the Earth's limb [m].
 double innermost_radius_m(const atmosphere::Atmosphere& atmosphere);
 
 /// Ray of a photon packet from the Sun, aimed at a random point of the ring of air.
 ///
 /// Given     random          uniform numbers; four are drawn
 ///           sun_distance_m  from the Earth's centre to the Sun's
-/// Returned  a ray in the shadow frame (Z away from the Sun, origin at the Earth's centre), from a uniformly random
-///           point on the solar disc, with an impact parameter b uniform over the ring's area, from the innermost
-///           radius b₀ to the top of the air b₁: pdf 2 b / (b₁² − b₀²), azimuth uniform
+/// Returned  a ray in the shadow frame (Z away from the Sun, origin at the Earth's centre) that starts at a uniformly
+///           random point of the solar disc. Its impact parameter b is uniform over the ring's area, from the innermost
+///           radius b₀ to the top of the air b₁ (pdf 2 b / (b₁² − b₀²)), and its azimuth is uniform
 Ray aimed_at_the_ring(algebra::Random& random, double sun_distance_m,
                       const atmosphere::Atmosphere& atmosphere);
 

@@ -14,7 +14,7 @@ using atmosphere::Atmosphere;
 using atmosphere::Column;
 using atmosphere::Optics;
 
-/// Column of air above a point; between two belts, a photon is randomly assigned to one of them.
+/// Finds the column of air above a point. Between two belts, a photon is assigned to one of them at random.
 class Overhead {
  public:
   Overhead(const Atmosphere& atmosphere, double chance)
@@ -41,7 +41,7 @@ struct Standing {
       : column(&over), spectra(atmosphere::spectra(over, optics)) {}
 };
 
-/// Refracting medium of a ray: one column of air around the whole Earth, at one wavelength.
+/// The medium that refracts a ray: one column of air around the whole Earth, at one wavelength.
 struct Medium {
   const Column& column;
   const Optics& optics;
@@ -53,7 +53,7 @@ struct Medium {
 
   /// Gradient of refractivity by forward differences [1/m].
   ///
-  /// Given  here  refractivity at the point
+  /// Given  here  refractivity at the point itself
   glm::dvec3 gradient(const glm::dvec3& at_m, double here, double step_m) const {
     glm::dvec3 gradient;
     for (int j = 0; j < 3; ++j) {

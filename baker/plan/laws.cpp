@@ -10,33 +10,33 @@
 namespace coppermoon::plan {
 namespace {
 
-/// Times in seconds on one core of the machine used to measure the model: AVX-512 at 3 GHz, while busy.
+/// Times in seconds on one core of the machine on which the model was measured: AVX-512 at 3 GHz, under load.
 struct Costs {
-  double ray_followed = 8e-6;       ///< of 250 and more, for each part of the limb
-  double fan_ray = 58e-9;           ///< of one wavelength
-  double landed_ray = 160e-9;       ///< of one wavelength on one plane
-  double place = 33e-6;             ///< cutting the disc into stretches
-  double place_term = 6e-6;         ///< the arcs of one of the Sun's terms and one harmonic
-  double place_wavelength = 74e-9;  ///< of one of these and one part of the limb
-  double angle_harmonic = 30e-9;    ///< of one term and one part, at a position angle
-  double angle_wavelength = 30e-9;  ///< likewise
+  double ray_followed = 8e-6;       ///< per ray traced; each part of the limb needs 250 or more
+  double fan_ray = 58e-9;           ///< per interpolated ray and wavelength
+  double landed_ray = 160e-9;       ///< per ray that lands, wavelength and plane
+  double place = 33e-6;             ///< per place, to cut the Sun's disc into stretches
+  double place_term = 6e-6;         ///< per place, term and harmonic, for the arcs
+  double place_wavelength = 74e-9;  ///< per place, term, harmonic, part and wavelength
+  double angle_harmonic = 30e-9;    ///< per place, angle, term, part and harmonic
+  double angle_wavelength = 30e-9;  ///< per place, angle, term, part and wavelength
   double lookup = 6e-3;
-  double trial = 45e-3;  ///< finding the effect of each term
+  double trial = 45e-3;  ///< to find the effect of every term
   double twilight = 40e-3, twilight_wavelength = 1e-3;
-  double photon_wavelength = 2.2e-9;  ///< by the table, on one plane, gathered in rings alone
-  double sectors_dearer = 8;          ///< gathered in sectors too
+  double photon_wavelength = 2.2e-9;  ///< per photon, wavelength and plane, with rings only
+  double sectors_dearer = 8;          ///< factor if photons are gathered in sectors too
   double photon_literal = 163e-6;
-  double together = 1.75;  ///< time of light over the sum of its estimated parts
-  double start = 0.22;   ///< of the program, its map and images' libraries, where a texture is made
-  double texel = 48e-9;  ///< lit and written
+  double together = 1.75;  ///< measured time for light, divided by the sum of its estimated parts
+  double start = 0.22;   ///< to start the program and its image libraries, if a texture is written
+  double texel = 48e-9;  ///< per texel, to light and to write it
   double map_file = 0.2;
 };
 
-/// Relative error of scattered light, which is computed at few places and wavelengths.
+/// Relative error of scattered light, which is computed at only a few places and wavelengths.
 constexpr double scattered_error = 3e-3;
 
-/// Relative error of luminance with a single photon: two standard errors in the worst ring of 50 km.
-/// The error falls as the root of the number of photons.
+/// Relative error of luminance if a single photon were traced: two standard errors in the noisiest ring of 50 km. It
+/// falls with the square root of the number of photons.
 double noise(Solver solver) { return solver == Solver::literal ? 250 : 35; }
 
 /// Number of sectors in which photons are gathered; 1 if light is symmetric about the axis.
@@ -45,23 +45,23 @@ double sectors(const Work& work, const Scene& scene) {
   return alike ? 1 : 24;
 }
 
-/// Number of axis distances where light is computed: every 100 km, and more where light is not smooth.
+/// Number of axis distances at which light is computed: one every 100 km, and more where light is not smooth.
 double distances(const Work& work, const Scene& scene) {
   const double across_m = scene.farthest_m - scene.nearest_m;
   const double share = std::min(1., scene.without_refracted);
   return across_m / 100e3 + 2 + 26 * share * std::max(0., std::log10(0.1 / work.place_error));
 }
 
-/// Seconds on one core for light at the places, once all rays have landed.
+/// Seconds on one core to compute light at a number of places, once all rays have landed.
 double seconds_of_places(const Work& work, const Scene& scene, double places) {
   const Costs cost;
   const bool regions = work.regions && scene.columns > 1;
   const double waves = 8 * std::ceil(work.bands / 8.);
   const double terms = scene.limb_darkening ? work.sun_terms : 1;
   const bool ellipsoid = work.ellipsoid && scene.ellipsoid;
-  const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // of a region one, not two
+  const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // half as many parts on a sphere
   const double parts = regions ? fewer * static_cast<double>(scene.parts) : ellipsoid ? 2 : 1;
-  // Regions take fifty harmonics on average, each at half the cost, as they share their bins.
+  // Regions need fifty harmonics on average, but each costs only half, because harmonics share their bins.
   const double harmonics = regions ? (scene.borders ? 25 : 11) : ellipsoid ? 2 : 1;
   const double series =
       cost.place + terms * harmonics * (cost.place_term + cost.place_wavelength * parts * waves);
@@ -85,10 +85,10 @@ double seconds_of_quadrature(const Work& work, const Scene& scene, double distan
   const Costs cost;
   const bool ellipsoid = work.ellipsoid && scene.ellipsoid;
   const bool regions = work.regions && scene.columns > 1;
-  const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // of a region one, not two
+  const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // half as many parts on a sphere
   const double parts = regions ? fewer * static_cast<double>(scene.parts) : ellipsoid ? 2 : 1;
   const double rays = work.rays;
-  // finer tolerances need more cuts, and at sharp borders more harmonics too
+  // finer tolerances mean more rays, which need more cuts and, at sharp borders, more harmonics too
   const double cuts =
       regions && scene.borders && rays > 300 ? 1.3 * std::pow(rays / 300, 1.2) : 1 + rays / 1000;
   const double places = distances * work.planes * cuts;
@@ -150,7 +150,7 @@ double predicted_seconds(const Work& work, const Scene& scene, const Machine& ma
                                 : dearer * cost.photon_wavelength * work.bands * work.planes;
     light += 0.05 + work.photons * a_photon;
   }
-  const double map = scene.map_file ? cost.map_file : 0;  // one core reads it
+  const double map = scene.map_file ? cost.map_file : 0;  // only one core reads the map
   const double start = scene.texels > 0 ? cost.start : 0;
   const double all = start + cost.together * light + cost.texel * scene.texels + map;
   return std::max(map, all / cores(machine)) / machine.speed;

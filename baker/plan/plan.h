@@ -12,51 +12,51 @@
 namespace coppermoon::plan {
 
 /// Ways to compute refracted light: the quadrature, which has no noise; photons through a table of the limb's rays;
-/// literal photons, traced step by step exactly as Yapo & Cutler (2009) do; or automatic, where a plan chooses.
+/// literal photons, traced step by step exactly as Yapo & Cutler (2009) do; or automatic, if a plan is to choose.
 enum class Solver { quadrature, table, literal, automatic };
 
-/// Solvers that a plan chooses from, in order.
+/// Solvers among which a plan chooses.
 inline constexpr std::array solvers{Solver::quadrature, Solver::table, Solver::literal};
 
 constexpr bool traces_photons(Solver solver) {
   return solver == Solver::table || solver == Solver::literal;
 }
 
-/// Name in reports: "quadrature", "photons by table" or "photons literal".
+/// Name of a solver in reports: "quadrature", "photons by table" or "photons literal".
 std::string_view name(Solver solver);
 
-/// Settings for the light on a Moon that trade accuracy against time.
+/// Settings for computing the light on the Moon, which trade accuracy against time.
 struct Work {
   Solver solver = Solver::quadrature;
   double photons = 0;     ///< number of photons; 0 for the quadrature
-  bool refracted = true;  ///< light refracted by the air; off: direct sunlight alone
+  bool refracted = true;  ///< light refracted by the air; if false, only direct sunlight
   bool ellipsoid =
-      true;  ///< off: a sphere with the radius of the Earth's limb at the Moon's position angle
-  bool regions = true;           ///< off: the air outside all regions fills the whole limb
+      true;  ///< if false, Earth is a sphere with the limb's radius at the Moon's position angle
+  bool regions = true;           ///< if false, the air outside all regions fills the limb
   bool scattered_light = false;  ///< twilight that the air scatters into the shadow
   int bands = 200;               ///< number of wavelength bands
   int rays = 1000;               ///< number of rays in the limb table and the quadrature
   int sun_terms = 6;             ///< number of terms for the limb-darkened Sun
   int planes = 2;                ///< number of planes across the Moon's depth
-  double place_error = 1e-3;     ///< tolerance between the axis distances where light is computed
+  double place_error = 1e-3;     ///< tolerance for interpolation between axis distances
 };
 
-/// Reference settings against which the error of some work is estimated: one plane, all terms, one more of the Sun's
-/// terms, and every other knob twice as fine. None is coarse, as two coarse settings may share an error. Photons are
-/// compared with a quadrature whose rays err by less than the photons' noise.
+/// Reference settings against which the error of the given work is estimated: one plane, all terms of refracted light,
+/// one more term for the Sun, and twice as many bands and rays. None is coarse, because two coarse settings may share
+/// an error. Photons are compared with a quadrature whose rays err by less than the photons' noise.
 Work finer(const Work& work);
 
-/// Knobs set by hand; the plan chooses those that are absent.
+/// Settings made by the user; the plan chooses those that are absent.
 struct ByHand {
   Solver solver = Solver::automatic;
   std::optional<double> photons{};
   std::optional<int> bands{}, rays{}, sun_terms{}, planes{};
   std::optional<double> place_error{};
-  std::optional<Work> terms{};   ///< only its four switches are used
-  bool scattered_light = false;  ///< forces scattered light, however faint, if `terms` is absent
+  std::optional<Work> terms{};   ///< only the four switches in it are used
+  bool scattered_light = false;  ///< forces scattered light, however faint, unless `terms` is given
 };
 
-/// Properties of a Moon in the Earth's shadow on which time and error depend.
+/// Properties of a scene (the Moon in the Earth's shadow) on which the computing time and the error depend.
 struct Scene {
   double nearest_m = 0, farthest_m = 0;  ///< least and largest axis distance of the Moon's disc
   bool limb_darkening = true, ellipsoid = true;
@@ -66,14 +66,14 @@ struct Scene {
   double texels = 0;        ///< number of baked texels; 0 if there is no texture
   bool map_file = false;    ///< whether an albedo map is read
 
-  /// Largest relative change of luminance anywhere on the disc when a term is left out.
+  /// Largest relative change of luminance anywhere on the disc if a term is left out.
   double without_refracted = 1, without_ellipsoid = 0, without_regions = 0, without_scattered = 0;
 };
 
 /// Requested tolerance, time budget, or both. If both are given, the budget takes precedence.
 struct Wish {
-  std::optional<double> tolerance{};  ///< of luminance anywhere on the disc, 1e-4 to 0.5
-  std::optional<double> budget_s{};   ///< 1e-3 s or more
+  std::optional<double> tolerance{};  ///< relative error of luminance on the disc, 1e-4 to 0.5
+  std::optional<double> budget_s{};   ///< computing time, at least 1e-3 s
 };
 
 /// Speed of a machine.
@@ -82,22 +82,22 @@ struct Machine {
   int cores = 2;
 };
 
-/// Solver considered by a plan, with its predicted time and error.
+/// A solver that a plan has considered, with its predicted time and error.
 struct Alternative {
   Solver solver;
   double seconds, error;
 };
 
-/// Terms of the light that may be left out: light through the air, the Earth's flattening, differences in the
-/// air around the limb, scattered light.
+/// Terms of the light that may be left out: light through the air, the Earth's flattening, differences in the air
+/// around the limb, and scattered light.
 enum class Term { refracted, ellipsoid, regions, scattered_light };
 
 /// Name of a term in reports: "light through the air", "ellipsoid", "regions" or "scattered light".
 std::string_view name(Term term);
 
-/// Term with the given name in reports.
+/// Term that has the given name in reports.
 ///
-/// Throws  Error  when no term has that name
+/// Throws  Error  if no term has that name
 Term term_named(std::string_view name);
 
 struct LeftOut {
@@ -111,8 +111,8 @@ struct Plan {
   double seconds = 0, error = 0;
   std::vector<LeftOut> left_out{};
   std::vector<Alternative> methods{};  ///< methods considered, best first
-  bool misses_tolerance = false;       ///< at any cost, or within the budget
-  bool exceeds_budget = false;         ///< even with the coarsest work
+  bool misses_tolerance = false;       ///< no plan meets it, at any cost or within the budget
+  bool exceeds_budget = false;         ///< even the coarsest work takes too long
 };
 
 /// Time in seconds, and the largest relative error of luminance on the disc.
@@ -158,33 +158,33 @@ void describe(Field&& is, const Plan& plan) {
      "wish that is not met");
 }
 
-/// Predicted time for light and texture, in seconds.
+/// Predicted time to compute the light and the texture, in seconds.
 ///
 /// Accuracy  a factor of two
 double predicted_seconds(const Work& work, const Scene& scene, const Machine& machine);
 
 /// Predicted bound on the relative error of luminance anywhere on the disc.
 ///
-/// Accuracy  95 of 100 scenes stay within it
+/// Accuracy  95 of 100 scenes stay within the bound
 double predicted_error(const Work& work, const Scene& scene);
 
 /// Plans the cheapest work, with the cheapest solver, whose predicted error is within the tolerance. The search is
-/// greedy: it begins with the coarsest work and adds, one at a time, the refinement or the term that removes most
-/// error for its time. If settings by hand alone exceed the tolerance, all others are chosen to stay within it. The
-/// solver is chosen as if nothing were set by hand. If no solver reaches the tolerance, the quickest is taken and
-/// refined to within the tolerance of its best. With a budget, the plan has the finest tolerance for which
-/// there is time, or is the coarsest work if even that exceeds the budget.
+/// greedy: it begins with the coarsest work and adds, one at a time, the refinement or the term that removes most error
+/// for its time. The solver is chosen as if the user had set nothing. If no solver reaches the tolerance, the quickest
+/// is taken. If the tolerance is out of reach for this reason, or because of the user's settings, the error may exceed
+/// the least possible one by the tolerance. With a budget, the plan has the finest tolerance for which there is time;
+/// if there is not enough time for any, it is the coarsest work.
 ///
-/// Given     by_hand  settings to keep
-/// Throws    Error    when a wish is outside its range, or has neither tolerance nor budget
+/// Given     by_hand  settings made by the user, which the plan keeps
+/// Throws    Error    if a wish is outside its range, or has neither tolerance nor budget
 Plan plan_for(const Scene& scene, const Wish& wish, const Machine& machine,
               const ByHand& by_hand = {});
 
-/// Work for light at given places and wavelengths on one plane: the number of rays and of the Sun's terms are chosen,
-/// and all other settings are defaults.
+/// Work for light at given places and wavelengths on one plane. Only the numbers of rays and of the Sun's terms are
+/// chosen; the other settings are the finest ones.
 ///
-/// Given   by_hand  rays and terms of the Sun to keep
-/// Throws  Error    when the tolerance is outside its range
+/// Given   by_hand  the user's numbers of rays and of the Sun's terms, which the plan keeps
+/// Throws  Error    if the tolerance is outside its range
 Work work_of_rays(double tolerance, bool limb_darkening, const ByHand& by_hand = {});
 
 }  // namespace coppermoon::plan

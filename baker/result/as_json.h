@@ -15,16 +15,16 @@ using Json = nlohmann::ordered_json;
 
 /// How values are written as JSON.
 struct Style {
-  almanac::Calendar calendar = almanac::Calendar::gregorian;  ///< for dates
-  bool as_row = false;  ///< writes every key, with null if there is no value
-  int decimals = 0;     ///< in the seconds of an instant
+  almanac::Calendar calendar = almanac::Calendar::gregorian;  ///< calendar used for dates
+  bool as_row = false;  ///< write every key, with null for a missing value
+  int decimals = 0;     ///< decimal places in the seconds of an instant
 };
 
 /// A result as a JSON object, with keys in the order of its description. Numbers that are not finite become null.
 template <Described Result>
 Json as_json(const Result& result, const Style& style = {});
 
-/// A value as JSON.
+/// Converts to JSON a value of any kind that a result may contain.
 template <class Value>
 Json json_of(const Value& value, const Style& style) {
   if constexpr (std::is_same_v<Value, Json>) {
@@ -63,7 +63,7 @@ Json json_of(const Value& value, const Style& style) {
 
 namespace detail {
 
-/// Visitor that writes values into an object.
+/// Visitor for `describe` that writes a result's values into a JSON object.
 struct Writes {
   Json& json;
   const Style& style;
@@ -110,7 +110,7 @@ Json as_json(const Result& result, const Style& style) {
   return json;
 }
 
-/// Rows as CSV with a header line. Each row is an object with the same keys and nothing nested; null is left empty.
+/// Rows as CSV with a header line. Each row is an object with the same keys and nothing nested; null is an empty cell.
 std::string as_csv(const Json& rows);
 
 /// Results as CSV, one row each.

@@ -10,12 +10,12 @@
 
 namespace coppermoon::result {
 
-/// Name of a column, and its numbers, one for each row.
+/// Name of a column, and its numbers, one per row.
 using Column = std::pair<std::string, std::vector<double>>;
 
 namespace detail {
 
-/// Visitor that adds a row's numbers to columns: the k-th number described goes to the k-th column.
+/// Visitor for `describe` that adds a result's numbers to columns, the k-th number to the k-th column.
 struct Gathers {
   std::vector<Column>& columns;
   std::size_t next = 0;
@@ -44,7 +44,7 @@ struct Gathers {
 
 }  // namespace detail
 
-/// Numbers from results that have the same keys, as columns: NaN if a number is missing, angles in degrees.
+/// Collects the numbers of results with the same keys in columns. Missing numbers become NaN; angles are in degrees.
 template <class Results>
 std::vector<Column> columns_of(const Results& results) {
   std::vector<Column> columns;

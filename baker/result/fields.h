@@ -45,15 +45,15 @@ inline constexpr bool is_by_name<algebra::ByName<Value>> = true;
 /// Kind of a value in documents and in Python.
 enum class Kind { truth, whole, number, text, word, instant, numbers, list, by_name, object };
 
-/// A value that a result describes.
+/// Description of one value in a result.
 struct Field {
   std::string key{};
   Kind kind = Kind::number;
-  Kind of = Kind::number;  ///< kind of the values in a list or by name
+  Kind of = Kind::number;  ///< kind of each value in a `list` or `by_name`
   std::string unit{}, meaning{};
-  bool may_be_none = false;    ///< may be null or left out
-  bool may_be_absent = false;  ///< is left out if there is no value
-  int axes = 0;                ///< number of axes, for `numbers`
+  bool may_be_none = false;    ///< the value may be null or left out
+  bool may_be_absent = false;  ///< if missing, the value is left out, not null
+  int axes = 0;                ///< number of axes of an array of `numbers`
   std::vector<std::string> words{};
   std::string type{};          ///< name of the result type, for an `object` or a list of them
   std::vector<Field> parts{};  ///< fields of that result type
@@ -63,17 +63,17 @@ struct Field {
 struct Fields {
   std::string name, meaning;
   std::vector<Field> all;
-  bool many = false;  ///< whether it is a list of such results
+  bool many = false;  ///< whether there is a list of such results
 };
 
 template <Described Result>
 Fields fields_of();
 
-/// Meaning of a field with its unit in brackets, for readers.
+/// Meaning of a field, followed by its unit in brackets.
 std::string meaning_of(const Field& field);
 
-/// Description of a result as JSON: `meaning`, `many`, and `fields`, each with `key`, `kind`, `unit`, `words`,
-/// `may_be`, `meaning`, `fields`.
+/// Description of a result as JSON: `meaning`, `many`, and `fields`, each with `key`, `kind`, `of`, `unit`, `words`,
+/// `may_be`, `meaning` and `fields` as far as they apply.
 nlohmann::ordered_json as_json(const Fields& fields);
 
 namespace detail {
@@ -134,11 +134,11 @@ void set_kind(Field& field) {
   }
 }
 
-/// Visitor that records the fields in a description, whatever their values.
+/// Visitor for `describe` that records the fields of a result, whatever their values.
 struct TakesDown {
   Fields fields;
 
-  /// Only the first name counts: after its own values, a result may also describe a part of itself.
+  /// Records only the first name, because a result may go on to describe a part of itself, which has another name.
   void a(std::string_view name, std::string_view meaning) {
     if (!fields.name.empty()) return;
     fields.name = name;
@@ -173,7 +173,7 @@ struct TakesDown {
 
 }  // namespace detail
 
-/// Fields of a result, from its type alone.
+/// Fields of a result type, found by describing a default value.
 template <Described Result>
 Fields fields_of() {
   detail::TakesDown taken;

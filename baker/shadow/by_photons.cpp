@@ -23,7 +23,7 @@ namespace {
 using algebra::Grid;
 using atmosphere::Atmosphere;
 
-/// Number of photons whose rows are held in memory at once.
+/// Number of photons in a batch, whose rows are held in memory at once.
 constexpr std::size_t batch = 32;
 
 /// Buffers of one thread.
@@ -35,7 +35,7 @@ struct Workplace {
       : tally(cells, waves), light(batch, padded(waves)), landing_m(light) {}
 };
 
-/// Sums over blocks, (row of a tally, wavelength).
+/// Sums over blocks of photons: (row of a tally, wavelength).
 struct BlockSums {
   Grid<double> sum, sum_of_squares;
 
@@ -46,7 +46,7 @@ void add(Grid<double>& sums, const Grid<double>& more) {
   for (std::size_t i = 0; i < sums.values().size(); ++i) sums.values()[i] += more.values()[i];
 }
 
-/// Simulation of photons, block by block.
+/// Simulates photons, block by block.
 class Simulation {
  public:
   Simulation(const Atmosphere& atmosphere, const Arrangement& arrangement,
@@ -64,7 +64,7 @@ class Simulation {
   std::size_t rows() const { return arrangement_.depths_m.size() * rings_.rows(); }
   std::size_t waves() const { return optics_.size(); }
 
-  /// Given  tell  called after each block
+  /// Given  tell  callback for progress, called after each block
   BlockSums simulated(BlockRange blocks, const std::function<void()>& tell) const {
     BlockSums sums(rows(), waves());
     Workplace work(rows(), waves());
@@ -81,7 +81,7 @@ class Simulation {
   }
 
  private:
-  /// Radiance of a point on the Sun's disc over the disc's mean.
+  /// Radiance of a point on the Sun's disc, relative to the disc's mean radiance.
   double brightness_at(const glm::dvec3& source_m, std::size_t wave) const {
     if (!arrangement_.limb_darkening) return 1;
     const double rho = std::hypot(source_m.x, source_m.y) / photons::solar_radius_m;
@@ -89,7 +89,7 @@ class Simulation {
                                    std::sqrt(std::max(0., 1 - rho * rho)));
   }
 
-  /// Area of the ring of air at which photons are aimed.
+  /// Area of the ring of air at which photons are aimed, times the number of wavelengths (each photon has only one).
   double emitting_area_m2() const {
     const double inner = photons::innermost_radius_m(atmosphere_);
     const double outer = atmosphere_.top_radius_m();
@@ -102,7 +102,7 @@ class Simulation {
         static_cast<std::size_t>(random.uniform() * static_cast<double>(optics_.size()));
     const auto ray = photons::aimed_at_the_ring(random, arrangement_.sun_distance_m, atmosphere_);
     const auto entering = photons::entered(ray, atmosphere_.top_radius_m());
-    if (!entering) return;  // a graze lost to rounding
+    if (!entering) return;  // due to rounding, a grazing ray misses the air
     const double chance = !atmosphere_.belted() ? 0 : random.uniform();
     const auto out =
         photons::trace(*entering, atmosphere_, optics_[wave], settings_.stepping, chance);
@@ -156,8 +156,8 @@ struct BlockProgress {
   }
 };
 
-/// Adds blocks to the sums, part by part in order, so that the sums do not depend on the number of threads;
-/// only the number of parts in memory does.
+/// Adds blocks to the sums, part by part in a fixed order, so that the sums do not depend on the number of threads.
+/// Only the number of parts in memory does.
 void add_blocks(const Simulation& simulation, BlockRange blocks, BlockSums& sums,
                 BlockProgress& progress) {
   constexpr std::uint64_t parts = 64, most = 4096;
@@ -226,7 +226,7 @@ PhotonSums no_photons(const Atmosphere& atmosphere, const Arrangement& arrangeme
           nothing};
 }
 
-/// Adds a tally's rows to the grids of all planes and sectors, except the ring for light that lands farther out.
+/// Adds a tally's rows to the grids of all planes and sectors, except the ring that holds all light farther out.
 void add(const Grid<double>& rows, std::vector<Grid<double>>& grids) {
   for (std::size_t g = 0; g < grids.size(); ++g)
     for (std::size_t r = 0; r < grids[g].rows(); ++r)
@@ -234,7 +234,7 @@ void add(const Grid<double>& rows, std::vector<Grid<double>>& grids) {
         grids[g](r, w) += rows(g * (grids[g].rows() + 1) + r, w);
 }
 
-/// The first `count` blocks of some ranges.
+/// The first `count` blocks of the given ranges.
 std::vector<BlockRange> first_of(const std::vector<BlockRange>& ranges, std::uint64_t count) {
   std::vector<BlockRange> first;
   for (const auto& range : ranges) {
@@ -245,13 +245,13 @@ std::vector<BlockRange> first_of(const std::vector<BlockRange>& ranges, std::uin
   return first;
 }
 
-/// Whether there is a stopping rule and the photons meet it.
+/// Whether there is a stopping rule and the photons traced so far meet it.
 bool enough(const PhotonSums& sums, const PhotonSettings& settings) {
   if (!settings.enough || blocks_in(sums.done) < blocks_for_an_error) return false;
   return worst_error(estimated(sums), *settings.enough) <= settings.enough->tolerance;
 }
 
-/// Traces some ranges of blocks and adds them to the sums.
+/// Traces the blocks of some ranges and adds them to the sums.
 void add_ranges(const Simulation& simulation, const std::vector<BlockRange>& ranges,
                 PhotonSums& sums, BlockProgress& progress) {
   BlockSums rows(simulation.rows(), simulation.waves());

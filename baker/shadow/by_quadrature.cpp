@@ -24,22 +24,23 @@ using algebra::Grid;
 using atmosphere::Atmosphere;
 using std::numbers::pi;
 
-/// Highest harmonic of the position angle to which the shares of the limb's parts are expanded; more with more rays.
-/// Errors measured at 400 to 700 nm up to 6000 km from the axis, worst and mean: 13 belts, against 192 harmonics, 48:
-/// 1e-4 and 3e-6, with dust in every other belt 4e-4 and 2e-5; regions, against arcs cut at their borders, 160: 6e-3
-/// and 5e-5 with the aerosol of a great eruption in one, 2e-2 and 1e-4 with dust that transmits a hundredth. Errors of
-/// luminance at 300 rays, against 160 harmonics: 24 with belts 5e-4 and 3e-5, 75 with regions 7e-4 and 7e-6.
+/// Highest harmonic of the position angle in the expansion of the shares of the limb's parts; it grows with the number
+/// of rays. Errors, worst and mean, were measured at 400 to 700 nm up to 6000 km from the axis. For 13 belts, 48
+/// harmonics err by 1e-4 and 3e-6 compared with 192, or by 4e-4 and 2e-5 with dust in every other belt. For regions,
+/// 160 harmonics err, compared with arcs cut at the borders, by 6e-3 and 5e-5 if one region has the aerosol of a great
+/// eruption, and by 2e-2 and 1e-4 if one has dust that transmits a hundredth. Luminance at 300 rays, compared with 160
+/// harmonics, errs by 5e-4 and 3e-5 with 24 harmonics for belts, and by 7e-4 and 7e-6 with 75 for regions.
 int highest_harmonic(const Atmosphere& atmosphere, int rays) {
-  if (atmosphere.one_column()) return 2;  // an ellipsoid's
+  if (atmosphere.one_column()) return 2;  // the harmonic of an ellipsoid
   return atmosphere.regions.empty() ? std::clamp(rays / 16, 24, 48) : std::clamp(rays / 4, 75, 160);
 }
 
-/// Width of the bins of landing distance; inversely proportional to the number of rays.
+/// Width of the bins in which landing distances are sorted; it is inversely proportional to the number of rays.
 double bin_width_m(int rays) { return std::clamp(1.2e6 / rays, 100., 50e3); }
 
-/// Position angles to compute, and the one from which each sector takes its light: its own or, with belts, its
-/// mirror image. Sectors that were not requested have none. For an ellipsoid with one column, only the directions of
-/// pole and equator are computed.
+/// Position angles at which light is computed, and for each sector the index of the angle whose light it uses: that of
+/// the sector itself or, with belts, of its mirror image. Sectors that were not requested have no index. For an
+/// ellipsoid with one column, light is computed only towards the pole and the equator.
 struct Directions {
   std::vector<double> angles_rad;
   std::vector<std::optional<std::size_t>> of_sector = {};
@@ -63,7 +64,7 @@ Directions directions(const Atmosphere& atmosphere, const QuadratureSettings& se
   return all;
 }
 
-/// Light at one axis distance: (plane × angles + angle, wavelength).
+/// Light at one axis distance, indexed by (plane × angles + angle, wavelength).
 struct Ring {
   double gamma_m;
   Grid<double> ratio;
@@ -110,11 +111,11 @@ double direct_light(const Atmosphere& atmosphere, const Arrangement& arrangement
                           atmosphere.top_radius_m());
 }
 
-/// Error of a cubic through four rings at the ring between them, relative to refracted plus direct light there.
-/// Summed over wavelengths; the largest in any atmosphere and at any angle.
+/// Error of a cubic through four rings at the ring between them, relative to refracted plus direct light there. Light
+/// is summed over wavelengths. The result is the largest error in any atmosphere and at any angle.
 ///
-/// Given  direct  direct light, at least dark_ratio
-///        airs    number of atmospheres; a ring's columns hold the wavelengths of each in turn
+/// Given  direct  direct light, or dark_ratio if that is larger
+///        airs    number of atmospheres; a ring's columns hold the wavelengths of one atmosphere after the other
 double surprise(std::span<const Ring> about, const Ring& middle, double direct, std::size_t airs) {
   std::vector<double> gammas_m;
   for (const auto& ring : about) gammas_m.push_back(ring.gamma_m);
@@ -135,7 +136,8 @@ double surprise(std::span<const Ring> about, const Ring& middle, double direct, 
   return worst;
 }
 
-/// Halves the open intervals between rings; an interval stays open if the cubic erred by more than the tolerance.
+/// Inserts a ring in the middle of each open interval between rings. Both halves stay open if a cubic through the other
+/// rings errs by more than the tolerance there.
 ///
 /// Given  open  for each ring, whether the interval above it is open
 void halve(Solver& solver, std::span<const Atmosphere> airs, const Arrangement& arrangement,
@@ -170,7 +172,7 @@ void halve(Solver& solver, std::span<const Atmosphere> airs, const Arrangement& 
   open = std::move(finer_open);
 }
 
-/// Rings at the requested axis distances, with more inserted between them.
+/// Rings at the requested axis distances, with further rings inserted between them.
 std::vector<Ring> refined(Solver& solver, std::span<const Atmosphere> airs,
                           const Arrangement& arrangement, std::span<const double> gammas_m,
                           const QuadratureSettings& settings, const algebra::Progress& progress) {
@@ -181,9 +183,8 @@ std::vector<Ring> refined(Solver& solver, std::span<const Atmosphere> airs,
   return all;
 }
 
-/// Writes light at the rings' angles into the sectors. For an ellipsoid with one column, a sector interpolates
-/// between pole and equator linearly in cos 2θ: the limb's parts are mixed by cos² θ, so light has no higher
-/// harmonic.
+/// Writes the rings' light, computed at some angles, into the sectors. For an ellipsoid with one column, light is
+/// interpolated between pole and equator, linearly in cos 2θ, which is exact as the limb's parts are mixed by cos² θ.
 ///
 /// Given  first_wave  column of the rings that holds the light's first wavelength
 void fill(std::span<const Ring> rings, std::size_t first_wave, const Atmosphere& atmosphere,
@@ -210,15 +211,15 @@ void fill(std::span<const Ring> rings, std::size_t first_wave, const Atmosphere&
   });
 }
 
-/// Wavelengths of all atmospheres, and the Sun's disc at them.
+/// The wavelengths of all atmospheres, and the Sun's disc at these wavelengths.
 struct Wavelengths {
   std::vector<Wave> waves;
   photons::DiscTerms sun;
 };
 
-/// Evenly spaced choice of wavelengths, the same in each atmosphere.
+/// Chooses evenly spaced wavelengths, the same ones in each atmosphere.
 ///
-/// Given  count  number to choose, at most all wavelengths
+/// Given  count  number of wavelengths to choose, not more than there are
 Wavelengths chosen(std::span<const Atmosphere> airs, std::span<const atmosphere::Optics> optics,
                    const photons::DiscTerms& sun, std::size_t count) {
   Wavelengths some{{}, {sun.functions, {sun.functions.size(), airs.size() * count}}};
@@ -232,8 +233,8 @@ Wavelengths chosen(std::span<const Atmosphere> airs, std::span<const atmosphere:
   return some;
 }
 
-/// Rings at the requested axis distances, and inserted ones. If light at all wavelengths does not fit into
-/// memory, a few wavelengths decide where rings are inserted.
+/// Rings at the requested axis distances, and further rings inserted between them. If light at all wavelengths does not
+/// fit into memory, only a few wavelengths decide where rings are inserted.
 std::vector<Ring> rings_of(std::span<const Atmosphere> airs, const Arrangement& arrangement,
                            std::span<const double> wavelengths_nm,
                            std::span<const double> axis_distances_m, const Directions& directions,
@@ -295,7 +296,7 @@ std::vector<RefractedLight> by_quadrature_in(std::span<const Atmosphere> airs,
   if (first.top_m() <= 0 || wavelengths_nm.empty() || axis_distances_m.empty())
     return {airs.size(), darkness(arrangement, wavelengths_nm, axis_distances_m, sectors)};
   std::vector<RefractedLight> all(airs.size());
-  // isolated, because an error elsewhere cancels an enclosing parallel loop and would silently skip iterations here
+  // isolated, because an error elsewhere may cancel an enclosing parallel loop and thus silently skip iterations here
   tbb::task_group_context alone(tbb::task_group_context::isolated);
   tbb::parallel_for(
       0, 1,

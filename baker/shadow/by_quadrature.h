@@ -13,22 +13,22 @@ namespace coppermoon::shadow {
 /// in the units of a texture of the Moon.
 inline constexpr double darkness_ratio = 1e-14;
 
-/// Resolution of the quadrature.
+/// Settings that determine the resolution of the quadrature.
 struct QuadratureSettings {
-  /// number of rays between the ground and the air's top, 2 to 1e7; bins of landing distance are 4 km wide at
-  /// 300 rays, and narrower in proportion with more
+  /// number of rays between the ground and the air's top, 2 to 1e7. Bins of landing distance are 4 km wide with 300
+  /// rays, and narrower in proportion with more rays
   int rays = 300;
   int sun_terms = 6;  ///< number of terms for a limb-darkened disc (photons::disc_terms), 1 to 6
-  /// sectors to compute, of 4 to 360 around; the others stay dark. If the air has one column, all are computed
+  /// sectors to compute, out of 4 to 360 around the axis; others stay dark. All are computed if the air has one column
   Sectors sectors{sectors_around};
-  /// highest harmonic of the position angle, 2 to 160; fewer are used if the air or the rays need fewer
+  /// highest harmonic of the position angle, 2 to 160; fewer are used if fewer suffice for the air and the rays
   int harmonics = 160;
-  /// tolerance for interpolation between axis distances: where a cubic through four of them errs by more, another
-  /// is inserted between the middle two. Relative to refracted plus direct light over all wavelengths, with direct
-  /// light taken as at least dark_ratio. If 0, no axis distances are inserted
+  /// tolerance for interpolation between axis distances. If a cubic through four of them errs by more, another one is
+  /// inserted between the middle two. The error is relative to refracted plus direct light over all wavelengths, with
+  /// direct light counted as at least dark_ratio. If the tolerance is 0, no axis distances are inserted
   double place_error = 0;
-  /// ratio to unshaded sunlight, 1e-14 or more, below which light counts as dark: no axis distances are
-  /// inserted to resolve such light
+  /// ratio to unshaded sunlight, 1e-14 or more, below which light counts as dark, so that no axis distances are
+  /// inserted to resolve it
   double dark_ratio = darkness_ratio;
 };
 
@@ -36,49 +36,48 @@ struct QuadratureSettings {
 ///
 ///     E(γ, θ)/E₀ = (1 + z/D)² / (π a²) ∫∫ T(b) b Φ db
 ///
-/// with b the impact parameter, T the transmittance, r(b) the signed distance from the axis at which
-/// the ray from the Sun's centre lands, a the radius of the projected solar disc and Φ the angle that the
-/// arc of radius |r| inside the disc about the place subtends at the axis. Every element of
-/// the limb sends its light along a line through the axis, to its own side (r > 0) or across (r < 0).
-/// The focus on the axis and the caustics are integrable. T b db is summed over bins of r, with its first
-/// and second moments (LandedLight). Φ is approximated over stretches of bins by a quadratic in r; stretches
-/// narrow towards the disc's edges, where the mean of Φ follows from the area common to the disc and circles,
-/// dA/dr = |r| Φ. A place needs some forty stretches, however many bins there are. A limb-darkened disc is
-/// a sum of uniform ones.
+/// where b is the impact parameter, T the transmittance and a the radius of the projected solar disc. A ray from the
+/// Sun's centre lands at the signed distance r(b) from the axis. Φ is the angle that an arc of radius |r| about the
+/// axis subtends at the axis, as far as it lies inside the solar disc about the place. Every element of the limb sends
+/// its light along a line through the axis, to its own side (r > 0) or across (r < 0). The focus on the axis and the
+/// caustics are integrable. T b db is summed over bins of r, with its first and second moments (LandedLight). Φ is
+/// approximated over stretches of bins by a quadratic in r. Stretches become narrower towards the disc's edges, where
+/// they are single bins with the mean of Φ. A place needs some forty stretches, however many bins there are. For a
+/// limb-darkened disc, Φ is an integral of the disc's radiance along the arc (photons::DiscTerms).
 ///
-/// Light from a part of the limb (photons::WholeLimb: a region, a belt, the equator or the pole
-/// of an ellipsoid) is weighted by that part's share w of the limb at the position angle ψ it comes from:
+/// Light from a part of the limb (photons::WholeLimb: a region, a belt, the equator or the pole of an ellipsoid) is
+/// weighted by that part's share w of the limb at the position angle ψ from which the light comes:
 ///
 ///     w(ψ) = Σ c_m cos mψ + s_m sin mψ        E = Σ (c_m cos mθ + s_m sin mθ) E_m
 ///
-/// with cos mψ in the integral for E_m and ψ counted from the position angle θ of the place, so that the arcs for
-/// one axis distance serve all θ. Farther from the axis than the projected Sun's radius, only parts of the limb that
-/// the disc covers contribute. An ellipsoid needs m = 0 and 2. Belts need m up to 24 with 300 rays and 37 with 600;
-/// regions need m up to 75 and 150. Near the axis fewer harmonics suffice.
+/// The integral for E_m contains cos mψ. There ψ is counted from the position angle θ of the place, so that the arcs
+/// for one axis distance serve all θ. Farther from the axis than the projected Sun's radius, only parts of the limb
+/// that the disc covers contribute. An ellipsoid needs m = 0 and 2. Belts need m up to 24 with 300 rays and up to 37
+/// with 600 rays; regions need m up to 75 and 150. Near the axis, fewer harmonics suffice.
 ///
 /// Given     wavelengths_nm    380 to 780
 ///           axis_distances_m  increasing, 0 or more
-/// Returned  light at these axis distances and at inserted ones; one sector for symmetric air, otherwise as many
-///           as requested
-/// Accuracy  against 8000 rays, up to 4500 km from the axis, at the worst wavelength and at 550 nm:
-///           300 rays 1.3e-3 and 3e-4, 1000 rays 1.5e-4 and 8e-5; farther out, 1e-5 of unshaded
-///           sunlight. Omitted harmonics: 4e-4 with belts; with regions 1e-4 on average, and
-///           2e-2 where a region is dim beside its neighbour
-/// Omits     bending along the ellipsoid's vertical instead of towards the axis: this displaces light by 21 km
-///           at most, and the Sun's disc blurs light over 3600 km
-/// Throws    Error           when an argument is outside its range
+/// Returned  light at these axis distances and at inserted ones; one sector for symmetric air, otherwise the number of
+///           sectors requested
+/// Accuracy  compared with 8000 rays, up to 4500 km from the axis, at the worst wavelength and at 550 nm: 1.3e-3 and
+///           3e-4 with 300 rays, 1.5e-4 and 8e-5 with 1000 rays; farther out, 1e-5 of unshaded sunlight. Omitted
+///           harmonics cause errors of 4e-4 with belts; with regions, 1e-4 on average and 2e-2 if a region is dim
+///           beside its neighbour
+/// Omits     the difference between bending along the ellipsoid's vertical and towards the axis. This displaces light
+///           by 21 km at most, which is little beside the 3600 km over which the Sun's disc blurs light
+/// Throws    Error             if an argument is outside its range
 RefractedLight by_quadrature(const atmosphere::Atmosphere& atmosphere,
                              const Arrangement& arrangement, std::span<const double> wavelengths_nm,
                              std::span<const double> axis_distances_m,
                              const QuadratureSettings& settings = {},
                              const algebra::Progress& progress = {});
 
-/// Computes refracted light in several atmospheres at once. This is faster than one by one, as rays and arcs are
-/// computed once for all of them.
+/// Computes refracted light in several atmospheres at once. This is faster than one by one, because rays and arcs are
+/// computed only once for all of them.
 ///
 /// Given     airs   one or more, which may differ only in their dust, ozone and cloud cover
 /// Returned  light in each atmosphere, all at the same axis distances
-/// Throws    Error  when airs differ in anything else (atmosphere::richest), and as by_quadrature
+/// Throws    Error  if the atmospheres differ in anything else (atmosphere::richest), and as for by_quadrature
 std::vector<RefractedLight> by_quadrature_in(std::span<const atmosphere::Atmosphere> airs,
                                              const Arrangement& arrangement,
                                              std::span<const double> wavelengths_nm,

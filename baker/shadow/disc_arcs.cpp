@@ -19,12 +19,12 @@ using std::numbers::pi;
 constexpr int nodes_an_edge = 4;
 const double gauss_node = std::sqrt(0.6);  // the three nodes are −gauss_node, 0 and gauss_node
 
-/// Node of an integral over half an arc: sin t, t from 0 to π/2, and its weight times cos t.
+/// Node t, between 0 and π/2, of an integral over half an arc: sin t, and the node's weight times cos t.
 struct ArcNode {
   double sine, weight;
 };
 
-/// Gauss nodes over half an arc, `count` in each of several equal parts.
+/// Gauss nodes over half an arc, with `count` nodes in each of `parts` equal parts.
 std::vector<ArcNode> nodes_in_parts(int count, int parts) {
   std::vector<ArcNode> all;
   const double reach = pi / 4 / parts;
@@ -36,7 +36,7 @@ std::vector<ArcNode> nodes_in_parts(int count, int parts) {
   return all;
 }
 
-/// Positive half of the Gauss nodes over the whole arc.
+/// The positive half of the Gauss nodes for a whole arc.
 std::vector<ArcNode> nodes_of_a_whole(int count) {
   std::vector<ArcNode> all;
   for (const auto& node : algebra::gauss_legendre(count))
@@ -47,14 +47,14 @@ std::vector<ArcNode> nodes_of_a_whole(int count) {
   return all;
 }
 
-/// Nodes over half an arc, as many as its highest harmonic needs.
+/// Nodes over half an arc, as many as are needed for the highest harmonic.
 const std::vector<ArcNode>& arc_nodes(int highest, double half_arc_rad) {
   static const auto alike = nodes_in_parts(7, 1), twice_around = nodes_of_a_whole(10);
   if (highest == 0) return alike;
   if (highest <= 2) return twice_around;
   constexpr int a_part = 12, parts = 48;
   // FAULT arcs of high harmonics over too few nodes: phase = 9 => phase = 90
-  constexpr double phase = 9;  // radians of the highest harmonic that one part's nodes resolve
+  constexpr double phase = 9;  // phase [rad] of the highest harmonic that one part's nodes resolve
   static const auto finer = [] {
     std::vector<std::vector<ArcNode>> all;
     for (int i = 1; i <= parts; ++i) all.push_back(nodes_in_parts(a_part, i));
@@ -64,13 +64,13 @@ const std::vector<ArcNode>& arc_nodes(int highest, double half_arc_rad) {
   return finer[std::min(i, finer.size() - 1)];
 }
 
-/// Width of the widest stretches [bins], over which the highest harmonic turns by a fraction of a circle.
+/// Width of the widest stretches [bins], over which the highest harmonic turns by only a fraction of a circle.
 int widest(double a, int highest) {
   if (highest <= 2) return 48;
   return static_cast<int>(std::clamp(3 * a / highest, 1., 24.));
 }
 
-/// Adds ends of stretches between two bins, closer together towards both bins.
+/// Cuts the interval between two bins into stretches, narrower towards both bins, and adds the ends of these stretches.
 void add_graded(int from, int to, int widest, std::vector<int>& ends) {
   std::vector<int> upper;
   for (int width = 1; from < to; width = std::min(2 * width, widest)) {
@@ -87,13 +87,13 @@ void sort_out(std::vector<int>& values) {
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-/// The Sun's projected disc about a place; lengths in bins.
+/// The Sun's disc, projected about a place; all lengths are in bins.
 struct Disc {
   const photons::DiscTerms& sun;
   double gamma, a;
   int highest;
   std::array<double, 2> edges{std::abs(gamma - a),
-                              gamma + a};  ///< axis distances, nearer and farther
+                              gamma + a};  ///< axis distances of the disc's nearer and farther edge
 
   double half_arc(double r) const {
     if (r + gamma <= a) return pi;
@@ -104,8 +104,8 @@ struct Disc {
     return {sun.functions.size(), static_cast<std::size_t>(highest) + 1};
   }
 
-  /// Adds ∫ f(μ) cos mψ dψ along the arc of radius r, μ² = 1 − (r² + γ² − 2 r γ cos ψ)/a². The variable is
-  /// asin(ψ/half arc), in which μ is smooth up to the arc's ends; cos mψ follows by recurrence.
+  /// Adds ∫ f(μ) cos mψ dψ along the arc of radius r, where μ² = 1 − (r² + γ² − 2 r γ cos ψ)/a². The integral is taken
+  /// over asin(ψ/half arc), because μ is smooth in it up to the arc's ends. cos mψ is found by recurrence.
   void add_arc(double r, double weight, Grid<double>& light) const {
     const double half = half_arc(r);
     if (half == 0) return;
@@ -128,7 +128,7 @@ struct Disc {
     add_harmonics(cosines, shed, light);
   }
 
-  /// Mean over bins at the disc's edge, integrated in the root of the distance from the nearer edge.
+  /// Mean over bins at the disc's edge, integrated over the square root of the distance from the nearer edge.
   Grid<double> mean_over(int from, int to) const {
     auto mean = darkness();
     std::vector<double> ends{static_cast<double>(from), static_cast<double>(to)};
@@ -146,7 +146,7 @@ struct Disc {
     return mean;
   }
 
-  /// Ends of the stretches: closer together towards the edges.
+  /// Ends of the stretches, which are narrower towards the disc's edges.
   std::vector<int> ends() const {
     std::vector<int> cuts, all;
     for (const double edge : edges)

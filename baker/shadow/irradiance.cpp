@@ -62,7 +62,7 @@ double lens_area(double apart, double r, double s) {
   const double smaller = std::min(r, s), larger = std::max(r, s);
   if (apart >= r + s) return 0;
   if (apart <= larger - smaller) return std::numbers::pi * smaller * smaller;
-  const auto cosine = [](double x) { return std::clamp(x, -1., 1.); };  // rounding at first contact
+  const auto cosine = [](double x) { return std::clamp(x, -1., 1.); };  // for rounding errors
   // cosine of half the angle that the common chord subtends at each centre
   const double cos_r = cosine((apart * apart + r * r - s * s) / (2 * apart * r));
   const double cos_s = cosine((apart * apart + s * s - r * r) / (2 * apart * s));
@@ -111,7 +111,7 @@ void DirectLight::clear_parts(double axis_distance_m, double position_angle_rad,
     const double radius = sun_.radius[k], area = radius * radius;
     const double covered =
         lens_area(axis_distance_m, sun * radius, earth) / (std::numbers::pi * sun * sun);
-    parts[k] = area - covered < 1e-12 ? 0 : area - covered;  // rounding
+    parts[k] = area - covered < 1e-12 ? 0 : area - covered;  // rounding errors count as 0
     if (parts[0] > 0) continue;
     std::ranges::fill(parts, 0);  // the whole disc is covered
     return;
@@ -134,7 +134,7 @@ void DirectLight::ratios(double axis_distance_m, double position_angle_rad, doub
   for (std::size_t w = 0; w < values.size(); ++w) {
     double sum = 0;
     for (std::size_t k = 0; k < parts.size(); ++k) sum += sun_.brightness(k, w) * parts[k];
-    values[w] = std::min(sum, 1.);  // rounding
+    values[w] = std::min(sum, 1.);  // rounding may exceed 1
   }
 }
 

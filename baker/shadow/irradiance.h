@@ -16,7 +16,7 @@ namespace coppermoon::shadow {
 struct Arrangement {
   double sun_distance_m;         ///< 0.3 to 3 au
   std::vector<double> depths_m;  ///< of the planes behind the Earth, increasing, 1e8 to 1e9 m
-  bool limb_darkening = false;   ///< whether the Sun darkens towards its limb; off: a uniform disc
+  bool limb_darkening = false;   ///< the Sun darkens towards its limb; if not, its disc is uniform
 };
 
 /// Throws Error when a distance is outside its range
@@ -36,7 +36,7 @@ struct RefractedLight {
   std::vector<algebra::Grid<double>>
       standard_error;         ///< indexed like ratio; empty if light has no noise
   std::uint64_t photons = 0;  ///< number of photons traced
-  /// whether the errors at a place are correlated between wavelengths because these share photons
+  /// whether the errors at a place are correlated between wavelengths, because these share the same photons
   bool errors_correlated = false;
 };
 
@@ -46,7 +46,7 @@ RefractedLight darkness(const Arrangement& arrangement, std::span<const double> 
 
 /// Mean of the ratio over all position angles on one plane.
 ///
-/// Given     light  computed in all sectors (QuadratureSettings::sectors may leave some dark)
+/// Given     light  must be computed in all sectors (QuadratureSettings::sectors may leave some dark)
 /// Returned  (axis distance, wavelength)
 algebra::Grid<double> mean_ratio(const RefractedLight& light, std::size_t plane = 0);
 
@@ -59,7 +59,7 @@ double combined_error(const RefractedLight& light, std::span<const double> error
 std::vector<atmosphere::Optics> optics_of(const atmosphere::Atmosphere& atmosphere,
                                           std::span<const double> wavelengths_nm);
 
-/// Radius of the projected solar disc: the Sun's image on a plane through a pinhole at the limb [m].
+/// Radius of the projected solar disc: the Sun's image that a pinhole at the limb casts on a plane [m].
 double projected_solar_radius_m(const Arrangement& arrangement, double depth_m);
 
 /// Signed distance from the axis at which a ray from the Sun's centre lands after passing the limb.
@@ -77,22 +77,22 @@ double landing_m(double impact_parameter_m, double bending_rad, double sun_dista
 double refracted_reach_m(const Arrangement& arrangement, const atmosphere::Atmosphere& atmosphere,
                          double depth_m);
 
-/// Area common to two circles of radii r and s.
+/// Area common to two circles of radii r and s whose centres are the distance `apart` from each other.
 double lens_area(double apart, double r, double s);
 
-/// Fraction of the Sun's uniform disc that the Earth and its air cover, as seen from the shadow: the area common to
-/// the projected solar disc and the shadow of the top of the air, relative to that disc.
+/// Fraction of a uniform solar disc that the Earth and its air cover, as seen from the shadow. It is the area common to
+/// the projected solar disc and the shadow of the top of the air, relative to the area of the disc.
 ///
 /// Given     opaque_radius_m  radius of the Earth with its air
 /// Returned  0 in full sunlight, 1 in the umbra
-/// Accuracy  1e-5: the planes of Sun, limb and shadow are taken as parallel
+/// Accuracy  1e-5, because the planes of Sun, limb and shadow are taken as parallel
 double covered_part(double axis_distance_m, double depth_m, double sun_distance_m,
                     double opaque_radius_m);
 
-/// Direct light: sunlight that passes clear of the Earth and its air, as a ratio to unshaded sunlight, by wavelength.
-/// A uniform disc has a closed form; a limb-darkened disc is a sum of uniform ones.
+/// Direct light is sunlight that passes clear of the Earth and its air, as a ratio to unshaded sunlight at each
+/// wavelength. For a uniform solar disc there is a closed form. A limb-darkened disc is a sum of uniform ones.
 ///
-/// Accuracy  1e-3 of unshaded sunlight: an ellipsoid's limb is taken as a circle with the limb's radius at the
+/// Accuracy  1e-3 of unshaded sunlight, because an ellipsoid's limb is taken as a circle with the limb's radius at the
 ///           position angle of the place
 class DirectLight {
  public:
@@ -103,13 +103,13 @@ class DirectLight {
   void ratios(double axis_distance_m, double position_angle_rad, double depth_m,
               std::span<double> values) const;
 
-  /// Writes the uncovered area of each layer (concentric uniform disc) of the Sun, the whole disc first, in units of
-  /// the area of the unit disc. There are as many values as in_layers has columns.
+  /// Writes the uncovered area of each layer (concentric uniform disc) of the Sun, the whole disc first, relative to
+  /// the area of the whole disc. There are as many values as in_layers has columns.
   void clear_parts(double axis_distance_m, double position_angle_rad, double depth_m,
                    std::span<double> parts) const;
 
-  /// Converts weights of wavelengths into equivalent weights of layers: Σ weight × clear part over layers equals
-  /// Σ weight × ratio over wavelengths.
+  /// Converts weights of wavelengths into equivalent weights of layers: the sum of weight times clear part over layers
+  /// equals the sum of weight times ratio over wavelengths.
   ///
   /// Given     weights  (channel, wavelength)
   /// Returned  (channel, layer)

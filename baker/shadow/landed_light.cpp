@@ -12,17 +12,17 @@ namespace {
 
 constexpr std::size_t row_size = moments * lanes;
 
-/// Largest |k| for which ∫ exp(k t) dt is expanded in powers of k, up to the fifth, with an accuracy of 1e-7.
+/// Largest |k| for which ∫ exp(k t) dt is computed as a power series in k, up to the fifth power, accurate to 1e-7.
 constexpr double small = 0.3;
 
-/// Integral ∫ exp(k t) dt from 0 to `part`, k small.
+/// The integral ∫ exp(k t) dt from 0 to `part`, for small k.
 double exponential_integral(double k, double part) {
   const double x = k * part;
   constexpr double of_x5 = 1. / 720;
   return part * (1 + x * (1. / 2 + x * (1. / 6 + x * (1. / 24 + x * (1. / 120 + x * of_x5)))));
 }
 
-/// Mean over an interval of a quantity that varies exponentially from `first` to `last`; k = ln(last/first).
+/// Mean over an interval of a quantity that varies exponentially from `first` to `last`, with k = ln(last/first).
 double exponential_mean(double first, double last, double k) {
   return std::abs(k) > small ? (last - first) / k : first * exponential_integral(k, 1);
 }
@@ -41,7 +41,7 @@ class ExponentialShare {
     return std::exp(k_ * (part - 1)) * std::expm1(-k_ * part) * over_whole_;
   }
 
-  /// Factor by which exp(k t) changes when t grows by a given amount.
+  /// Factor by which exp(k t) changes when t grows by the given amount.
   double change(double by) const {
     return is_small_ ? 1 + k_ * exponential_integral(k_, by) : std::exp(k_ * by);
   }
@@ -52,8 +52,8 @@ class ExponentialShare {
   double over_whole_;
 };
 
-/// Rays at one wavelength: where they land, in bins, and the light they carry. They run from the ground up to two rays
-/// beyond the last that lands within reach; these two bound the light that lands between rays.
+/// Rays at one wavelength: where they land, in bins, and the light they carry. They range from the ground up to two
+/// rays beyond the last one that lands within reach. These two are needed for light that lands between rays.
 struct Rays {
   std::vector<double> place, impact_m, depth, transmittance;
 
@@ -75,17 +75,18 @@ struct Rays {
   }
 };
 
-/// Gathers light at one wavelength into its lane of a block's sums.
+/// Adds light at one wavelength to that wavelength's lane in a block's sums.
 class Gatherer {
  public:
-  /// Given  first, last  bins to gather: light lands in no earlier bin, and later bins are left out
+  /// Given  first, last  bins to gather; no light lands before the first, and light after the last is left out
   Gatherer(double* sums, int first, int last, std::size_t lane)
       : sums_(sums + lane), first_(first), last_(last) {}
 
   void add(const Rays& rays, std::span<const double> filter) const {
     // FAULT Richardson's step left out: 4. / 3, far = -1. / 3 => 1, far = 0
     constexpr double near = 4. / 3, far = -1. / 3;
-    const std::size_t last = rays.place.size() - 1;  // cells without light may lie beside the bins
+    // Cells without light are skipped, because they may lie outside the bins.
+    const std::size_t last = rays.place.size() - 1;
     for (std::size_t i = 0; i < last; ++i)
       if (filter[i] != 0) add_cell(rays, i, i + 1, near * filter[i]);
     for (std::size_t i = 0; i + 1 < last; i += 2)
@@ -104,8 +105,8 @@ class Gatherer {
       spread(rays.place[j], rays.place[i], light, -k);
   }
 
-  /// Adds light that lands between two places, with a density that varies exponentially from one to the other. It
-  /// changes by the same factor from one whole bin to the next, starting at the brighter end so as not to start at 0.
+  /// Adds light that lands between two places, with a density that varies exponentially from one to the other. Light
+  /// changes by the same factor from bin to bin, starting at the brighter end, because the darker end may be 0.
   void spread(double from, double to, double light, double steepness) const {
     const auto bin = static_cast<int>(std::floor(from));
     if (to <= bin + 1) return put(bin, (from + to) / 2, to - from, light);
@@ -126,7 +127,7 @@ class Gatherer {
     if (last < last_) put(last, (last + to) / 2, to - last, light - up_to(last));
   }
 
-  /// Adds light that is spread evenly over a bin or part of it, to the node at the bin's end.
+  /// Adds light that is spread evenly over a bin, or part of a bin, to the node at the bin's end.
   void put(int bin, double middle, double width, double light) const {
     double* row = sums_ + static_cast<std::size_t>(bin + 1 - first_) * row_size;
     row[0] += light;
@@ -139,8 +140,8 @@ class Gatherer {
   int first_, last_;
 };
 
-/// Landing places of the rays from the lowest one that carries light upwards, as cloud stops all rays below its top.
-/// If no ray carries light, only the highest ray's place.
+/// Landing places of the rays from the lowest one that carries light upwards; cloud may stop all rays below its top. If
+/// no ray carries light, only the place of the highest ray.
 std::span<const double> lit(std::span<const double> places, std::span<const double> filter) {
   const auto lowest = std::ranges::find_if(filter, [](double share) { return share != 0; });
   return places.subspan(

@@ -14,7 +14,7 @@ namespace coppermoon::shadow {
 /// Number of moments of the landing distance that are summed: powers 0, 1 and 2.
 inline constexpr std::size_t moments = 3;
 
-/// Number of wavelengths in a block, whose sums stand side by side.
+/// Number of wavelengths in a block. Their sums are stored side by side.
 inline constexpr std::size_t lanes = 8;
 
 /// Plane on which light lands.
@@ -28,28 +28,28 @@ struct LandingPlane {
 };
 
 /// Cumulative moments of landed light, ∫ r^m T b db, at evenly spaced nodes of r, the signed axis distance on one
-/// plane, in bins. The integral covers those rays of one part of the limb that land at a smaller r than the node.
-/// One object holds a block of wavelengths.
+/// plane, in bins. The integral covers those rays of one part of the limb that land at a smaller r than the node. One
+/// object holds a block of wavelengths.
 ///
-/// Between two rays r is interpolated linearly and T exponentially, once between neighbours and once between
-/// every other ray; 4/3 of the first less 1/3 of the second leaves errors of fourth order in the rays'
-/// spacing (Richardson).
+/// Between rays, r is interpolated linearly and T exponentially, once between neighbours and once between every other
+/// ray. By Richardson extrapolation, 4/3 of the first result less 1/3 of the second leaves errors of fourth order in
+/// the spacing of the rays.
 class LandedLight {
  public:
   /// Given  fans      one for each of the block's wavelengths, at most `lanes`
-  ///        radius_m  of the ground at the limb
+  ///        radius_m  radius of the ground at the limb
   LandedLight(std::span<const photons::Fan> fans, const LandingPlane& plane, double radius_m);
 
-  /// First and last node: no light lands before the first; light after the last is left out.
+  /// The first and the last node. No light lands before the first, and light after the last is left out.
   int first() const { return first_; }
   int last() const { return last_; }
 
-  /// Sums [node from the first][moment][lane].
+  /// The sums, indexed by [node − first()][moment][lane].
   const double* sums() const { return sums_.data(); }
 
  private:
   int first_ = 0, last_ = 0;
-  // [node][moment][lane]; the allocator keeps freed memory, as the next LandedLight needs as much
+  // [node][moment][lane]; the allocator keeps freed memory, because the next LandedLight needs as much
   std::vector<double, tbb::scalable_allocator<double>> sums_;
 };
 

@@ -17,16 +17,16 @@ namespace {
 using photons::WholeLimb;
 using std::numbers::pi;
 
-/// Number of position angles at which shares of the limb's parts are tabulated.
+/// Number of position angles at which the shares of the limb's parts are tabulated.
 constexpr int looked_at = 1440;
 
-/// Number of harmonics that light needs at an axis distance given in radii of the projected Sun. Fewer are needed near
-/// the axis, where a place receives light from more of the limb.
+/// Number of harmonics needed for light at an axis distance, which is given in radii of the projected Sun. Fewer are
+/// needed near the axis, where a place receives light from more of the limb.
 std::size_t harmonics_at(double solar_radii) {
   return static_cast<std::size_t>(9 + 48 * solar_radii);
 }
 
-/// Adds the two end nodes of a stretch, sharing the first with the previous stretch if that ends there.
+/// Adds the two end nodes of a stretch. The first is shared with the previous stretch if that one ends there.
 ///
 /// Returned  index of the stretch's first node
 std::size_t add_ends(int from, int to, std::vector<int>& nodes) {
@@ -108,9 +108,9 @@ LandedPlane::LandedPlane(const Sunlit& sunlit, double depth_m) : sunlit_(sunlit)
   last_ = std::max(first_, last_);
 }
 
-/// Number of blocks held in memory at once: all, if those of all planes take 1.25 gigabytes or less (half a
-/// gigabyte with many wavelengths, when a few decide on inserted places). Otherwise as many of one plane as fill half
-/// a gigabyte, because each group of blocks requires cutting the disc into stretches again.
+/// Number of blocks held in memory at once: all of them, if the blocks of all planes take 1.25 gigabytes or less (half
+/// a gigabyte if there are many wavelengths, because then a few decide where places are inserted). Otherwise, it is as
+/// many blocks of one plane as fill half a gigabyte, because every group of blocks requires cutting the disc again.
 std::size_t LandedPlane::blocks_at_once() const {
   constexpr std::size_t many = 128, most_bytes = 500'000'000;
   const std::size_t most_kept = sunlit_.waves.size() > many ? 500'000'000 : 1'250'000'000;
@@ -136,14 +136,14 @@ LandedPlane::Blocks LandedPlane::landed(std::size_t first) const {
   return some;
 }
 
-/// Whether light is computed as a series of harmonics, not angle by angle. With regions, the axis distance
-/// decides, so that light at an angle does not depend on which other angles are requested; with belts, the
-/// estimated cost decides.
+/// Whether light is computed as a series of harmonics instead of angle by angle. With regions, the axis distance
+/// decides, so that light at an angle does not depend on which other angles are requested. With belts, the estimated
+/// cost decides.
 bool LandedPlane::by_series(double gamma_m) const {
   const auto& around = sunlit_.around;
   if (around.harmonics() <= 3) return true;
   if (!around.is_mirrored()) return gamma_m <= a_;
-  constexpr double angles_at_once = 1. / 12;  // as a fraction of the limb
+  constexpr double angles_at_once = 1. / 12;  // arc of a group of angles, as a fraction of the limb
   const auto count = [](std::size_t n) { return static_cast<double>(n); };
   const double parts = count(around.parts.size()), terms = count(sunlit_.sun.functions.size()),
                harmonics = count(std::min(around.harmonics(), harmonics_at(gamma_m / a_))),
@@ -155,7 +155,7 @@ bool LandedPlane::by_series(double gamma_m) const {
 }
 
 void LandedPlane::light(std::span<const Place> places, const std::function<void(double)>& done) {
-  constexpr std::size_t at_once = 64;  // places whose Draws fit into memory
+  constexpr std::size_t at_once = 64;  // number of places whose Draws fit into memory together
   const auto pairs_done = [&](std::size_t blocks_by_places) {
     if (done)
       done(static_cast<double>(blocks_by_places) / static_cast<double>(blocks() * places.size()));
@@ -168,10 +168,10 @@ void LandedPlane::light(std::span<const Place> places, const std::function<void(
     if (!keeps_light()) landed_ = {};  // frees the memory before the next blocks are computed
   }
   for (const auto& place : places)
-    for (double& value : place.ratio) value = std::max(value, 0.);  // rounding
+    for (double& value : place.ratio) value = std::max(value, 0.);  // may be negative by rounding
 }
 
-/// Adds the landed light to places. Loops are ordered for the cache: for series, all places of one block; for
+/// Adds the landed light to places. The loops are ordered to suit the cache: for series, all places of one block; for
 /// angles, all blocks of one place.
 void LandedPlane::add_light(std::span<const Place> places,
                             const std::function<void(std::size_t)>& pairs_done) const {
@@ -299,9 +299,9 @@ LandedPlane::Draws LandedPlane::draws(double gamma) const {
   return all;
 }
 
-/// Adds factors of a stretch, for light that lands on the limb's own side of the axis or across it.
+/// Adds the factors for one stretch to `all`, for light that lands on the limb's own side of the axis or across it.
 ///
-/// Given  node  index of the stretch's inner end; its outer end is the next
+/// Given  node  index of the node at the stretch's inner end; the next node is at its outer end
 void LandedPlane::collect(const Stretch& stretch, bool across, std::size_t node, Draws& all) {
   const int low = across ? -stretch.to : stretch.from, high = across ? -stretch.from : stretch.to;
   // quadratics that equal 1 at one Gauss node and 0 at the other two

@@ -16,7 +16,7 @@
 
 namespace coppermoon::shadow {
 
-/// Fourier series of the limb's parts around the axis, and the position angles at which light is wanted.
+/// Shares of the limb's parts as Fourier series in the position angle, and the angles at which light is wanted.
 class Around {
  public:
   std::vector<photons::WholeLimb::Series> parts;
@@ -25,9 +25,9 @@ class Around {
   /// Given  highest  highest harmonic in the expansion of the parts' shares
   Around(const photons::WholeLimb& limb, int highest, std::span<const double> angles_rad);
 
-  /// Cosine or sine term of one harmonic, with its weight in each part; at least one is not 0.
+  /// Cosine or sine term of one harmonic, with its weight in each part of the limb; at least one weight is not 0.
   struct Harmonic {
-    std::size_t harmonic, turn;   ///< turn: column of `turns`
+    std::size_t harmonic, turn;   ///< `turn` is a column of `turns`
     std::vector<double> weights;  ///< by part
   };
 
@@ -40,31 +40,30 @@ class Around {
   /// Whether the limb's western half mirrors its eastern half.
   bool is_mirrored() const;
 
-  /// Whether a part of the limb reaches within half_arc_rad of one of the angles, or of the direction
-  /// opposite to the angle.
+  /// Whether a part of the limb reaches within half_arc_rad of an angle, or of the direction opposite to the angle.
   bool is_near(std::size_t part, std::size_t angle, double half_arc_rad) const;
 
  private:
   std::vector<double> angles_rad_;
-  std::vector<Harmonic> harmonics_;  // in order
-  // (part, direction): number of directions, up to this one, in which the part has a share
+  std::vector<Harmonic> harmonics_;  // in increasing order of the harmonic
+  // (part, direction): number of directions, up to this one, in which the part has a share of the limb
   algebra::Grid<int> here_;
 };
 
 /// A wavelength in one of the atmospheres.
 struct Wave {
   atmosphere::Optics optics;
-  const atmosphere::Atmosphere* air;  ///< as for WholeLimb::fan
+  const atmosphere::Atmosphere* air;  ///< see WholeLimb::fan
 };
 
 /// Light from the whole limb on one plane.
 ///
-/// Off the axis, light is computed angle by angle from the parts of the limb within the projected Sun's disc about
-/// the place, as no other part sends light there. Near the axis (where the disc covers all parts), in symmetric air,
+/// Off the axis, light is computed angle by angle from the parts of the limb within the projected Sun's disc about the
+/// place, because no other parts send light there. Near the axis (where the disc covers all parts), in symmetric air,
 /// and for belts at many angles, light is computed as a Fourier series in the position angle.
 class LandedPlane {
  public:
-  /// Axis distance at which light is wanted, and where to write it.
+  /// Axis distance at which light is wanted, and where to write the light.
   struct Place {
     double gamma_m;           ///< axis distance
     std::span<double> ratio;  ///< [angle][wavelength]
@@ -92,7 +91,7 @@ class LandedPlane {
   void light(std::span<const Place> places, const std::function<void(double)>& done);
 
  private:
-  using Block = std::array<double, lanes>;  // [wavelength of the block]
+  using Block = std::array<double, lanes>;  // by wavelength within the block
 
   /// Nodes of LandedLight that contribute to a place, and their factors.
   struct Draws {
@@ -101,10 +100,10 @@ class LandedPlane {
     algebra::Grid<double> factors;  ///< (harmonic, ((node, term), moment))
   };
 
-  /// Light that landed in the plane, for consecutive blocks of wavelengths and each part of the limb.
+  /// Light that landed on the plane, for consecutive blocks of wavelengths and for each part of the limb.
   struct Blocks {
     std::size_t first = 0, count = 0;
-    std::vector<LandedLight> landed = {};  ///< block by block, all parts of each
+    std::vector<LandedLight> landed = {};  ///< for each block, all parts of the limb
   };
 
   std::size_t blocks() const { return (sunlit_.waves.size() + lanes - 1) / lanes; }

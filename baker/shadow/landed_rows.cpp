@@ -17,7 +17,7 @@ namespace coppermoon::shadow::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Row of a node, clamped to the part's nodes.
+/// Row of sums at a node. A node outside the part's range counts as the nearest one in it.
 inline const double* row_at(const LandedLight& part, int node) {
   const int place = std::clamp(node, part.first(), part.last()) - part.first();
   return part.sums() + static_cast<std::size_t>(place) * moments * lanes;
@@ -71,7 +71,7 @@ void add_weighted(std::span<const LandedLight> parts, std::span<const int> nodes
   }
 }
 
-/// Turns `columns` columns, from `column` on, to all angles.
+/// Computes `columns` columns of the factors turned to all angles (turn_factors), beginning with number `column`.
 template <std::size_t columns>
 void turn_columns(const algebra::Grid<double>& factors, std::size_t column, const double* turns,
                   double* turned) {
@@ -139,7 +139,7 @@ void cosines_of(std::span<double> angles) {
     hn::StoreU(hn::Cos(d, hn::LoadU(d, &angles[j])), d, &angles[j]);
 }
 
-/// Adds to sums[k][m][lane]; each lane takes its share of the nodes.
+/// Adds harmonics to sums[k][m][lane]; each lane covers only some of the nodes.
 void add_lanes(std::span<const double> cosines, const algebra::Grid<double>& weights,
                std::size_t harmonics, double* sums) {
   const hn::CappedTag<double, nodes_together> d;

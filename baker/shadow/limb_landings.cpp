@@ -23,14 +23,15 @@ constexpr std::size_t brightness_cells = 64;
 /// Number of bins in axis distance, each with its own distribution of tangent heights.
 constexpr std::size_t distance_bins = 96;
 
-/// Largest number of wavelengths from which the distribution of tangent heights is made.
+/// Largest number of wavelengths from which the distribution of tangent heights is computed.
 constexpr std::size_t deciding_waves = 8;
 
-/// Fraction of photons whose height is not importance-sampled, and the fraction of these photons that is
-/// spread evenly over heights, not over landings.
+/// Fraction of photons whose height is drawn without regard to light, and the fraction of these photons that are spread
+/// evenly over heights instead of landing distances.
 constexpr double blind_share = 0.2, even_share = 0.25;
 
-/// Half the arc about the axis, at an axis distance, that lies within a disc of radius 1 about a centre.
+/// Half the angle of the arc about the axis that lies within a disc of radius 1. `centre` and `distance` are the axis
+/// distances of the disc's centre and of the arc.
 double half_arc(double centre, double distance) {
   const double q = std::abs(centre);
   if (q + distance <= 1) return pi;
@@ -38,7 +39,7 @@ double half_arc(double centre, double distance) {
   return std::acos(std::clamp((distance * distance + q * q - 1) / (2 * distance * q), -1., 1.));
 }
 
-/// Landing places of two neighbouring rays at the middle wavelength, and axis distances of a bin.
+/// Landing places of two neighbouring rays at the middle wavelength, and the axis distances between which a bin lies.
 struct Cell {
   double low, high, near, far;
 
@@ -57,7 +58,7 @@ struct Cell {
   }
 };
 
-/// Scales numbers to a sum of 1; leaves numbers that are all 0.
+/// Scales numbers so that their sum is 1, unless all are 0.
 void normalise(std::span<double> row) {
   double sum = 0;
   for (const double value : row) sum += value;
@@ -80,7 +81,7 @@ void add_seeing(const Grid<double>& light, std::span<const double> arcs,
   for (double& chance : chances) chance = std::sqrt(chance);
 }
 
-/// Probabilities that do not depend on light, by cell: uniform in landing distance and in height.
+/// Probability of each cell for photons drawn without regard to light, uniformly in landing distance or in height.
 std::vector<double> blind_chances(std::span<const double> heights_m,
                                   std::span<const double> landings) {
   double swept = 0;
@@ -153,7 +154,7 @@ void LimbLandings::fill_landings(const photons::WholeLimb::Part& part, Table& ta
                       // FAULT photons of all planes land on the first: depths_m[k] => depths_m[0]
                       arrangement_.sun_distance_m, arrangement_.depths_m[k]));
       }
-      std::ranges::fill(table.landing_m[k].row(i).subspan(waves_),  // of the padding, as the last
+      std::ranges::fill(table.landing_m[k].row(i).subspan(waves_),  // pads with the last wavelength
                         table.landing_m[k](i, waves_ - 1));
     });
 }
@@ -206,8 +207,8 @@ std::size_t LimbLandings::part_at(double position_angle_rad, double uniform) con
   return shares[uniform < shares[0].share ? 0 : 1].part;
 }
 
-/// Given  point  of the unit cube: axis distance, tangent height, direction of the landing;
-///               position angle, part of the limb
+/// Given  point  coordinates in the unit cube that determine, in this order, the landing's axis distance, the tangent
+///               height, the landing's direction, the position angle and the part of the limb
 std::optional<Aim> LimbLandings::aim(std::span<const double> point, bool around) const {
   const double angle = around ? 2 * pi * point[3] : 0, distance = reach_ * point[0];
   const std::size_t part = around ? part_at(angle, point[4]) : 0;
@@ -239,7 +240,7 @@ std::optional<Aim> LimbLandings::aim(std::span<const double> point, bool around)
 std::vector<Aim> LimbLandings::aims(std::uint64_t seed, std::uint64_t block, bool around) const {
   const auto points = algebra::scrambled_block(seed, block, around ? 5 : 3);
   std::vector<Aim> drawn, aims;
-  std::vector<std::uint64_t> order;  // bits of part, cell, index in `drawn`
+  std::vector<std::uint64_t> order;  // each holds the bits of part, cell, index in `drawn`
   drawn.reserve(points.rows());
   for (std::size_t i = 0; i < points.rows(); ++i)
     if (const auto photon = aim(points.row(i), around)) {

@@ -27,19 +27,18 @@ struct Aim {
   double weight_m;
 };
 
-/// Tables of landing place and light by tangent height and wavelength, on each plane, from which photons are drawn.
-/// Each of N photons carries, in units of 1/N,
+/// Tables of landing place and light on each plane, by tangent height and wavelength, from which photons are drawn.
+/// Each of N photons carries the light that falls in unshaded sunlight on an area [m²] of 1/N times
 ///
 ///     2π T b (db/dh) / p(h)
 ///
-/// square metres of unshaded sunlight, with T the transmittance, b the impact parameter and p the probability density
-/// of tangent heights. Between rays T b varies exponentially in the limb's table, but linearly here, with
-/// the same integral.
+/// with T the transmittance, b the impact parameter and p the probability density of tangent heights h. Between rays,
+/// the product T b varies exponentially in the limb's table. Here it varies linearly, with the same integral.
 ///
-/// Landings are drawn for the middle wavelength. Axis distances are uniform, so that rings near the axis get as
-/// many photons as others. Tangent heights follow the light that each height sends to the axis distance, over all
-/// wavelengths; for a fifth of the photons they are uniform in landing distance or in height instead. Directions
-/// are uniform over those in which the Sun's disc lies. The source on the Sun follows from the landing.
+/// Landings are drawn for the middle wavelength. Axis distances are distributed uniformly, so that rings near the axis
+/// get as many photons as others. Tangent heights are distributed like the light, over all wavelengths, that each
+/// height sends to the axis distance; for a fifth of the photons they are uniform in landing distance or in height
+/// instead. Directions are uniform over the arc within the Sun's disc. The source on the Sun follows from the landing.
 class LimbLandings {
  public:
   LimbLandings(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
@@ -48,13 +47,13 @@ class LimbLandings {
   /// Photons of a block (algebra::scrambled_block), ordered by part of the limb and then by cell, lowest first.
   /// Landings that no ray from the Sun reaches are left out.
   ///
-  /// Given  around  whether to draw position angles; if not, every photon is at 0
+  /// Given  around  whether to draw position angles; if not, the position angle of every photon is 0
   std::vector<Aim> aims(std::uint64_t seed, std::uint64_t block, bool around) const;
 
-  /// Writes the light that photons carry once past the limb, by wavelength [m²], including the Sun's brightness
-  /// at their source.
+  /// Writes the light that photons carry after they have passed the limb, by wavelength [m²]. It includes the Sun's
+  /// brightness at each photon's source.
   ///
-  /// Given  light  at least as many rows as aims
+  /// Given  light  grid with at least as many rows as there are aims
   void pass(std::span<const Aim> aims, algebra::Grid<float>& light) const;
 
   /// Writes the signed axis distances at which photons would land if they came from the Sun's centre, by wavelength.

@@ -14,7 +14,7 @@
 namespace coppermoon::shadow {
 namespace {
 
-/// Refraction and extinction of a ray past the limb.
+/// Refraction and extinction of a ray that passes the limb.
 struct Passage {
   double bending_rad = 0, optical_depth = 0, filter = 1;
 };
@@ -30,7 +30,7 @@ std::optional<Passage> passage(const photons::Fan& fan, double impact_height_m) 
                  fan.filter[below]};
 }
 
-/// Passage of a ray at a position angle: weighted mean over the parts of the limb there.
+/// Passage of a ray at a position angle: the weighted mean over the parts of the limb there.
 std::optional<Passage> passage(const photons::WholeLimb& limb, double position_angle_rad,
                                std::size_t wave, double impact_height_m) {
   Passage mean{0, 0, 0};
@@ -51,7 +51,7 @@ glm::dvec3 position_of(const eclipse::ShadowPlace& place) {
   return {gamma * std::sin(theta), gamma * std::cos(theta), algebra::in_metres(place.depth)};
 }
 
-/// Unit vector at a position angle, perpendicular to the line from a place to the Earth's centre.
+/// Unit vector in the direction of a position angle, perpendicular to the line from a place to the Earth's centre.
 glm::dvec3 outward_at(const glm::dvec3& position_m, double position_angle_rad) {
   const auto ahead = -glm::normalize(position_m);
   const glm::dvec3 y(0, 1, 0);

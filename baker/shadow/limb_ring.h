@@ -15,12 +15,12 @@ namespace coppermoon::shadow {
 ///
 ///     L = T(b) I(μ)        sin α = b/D
 ///
-/// A ray that arrives with impact parameter b, at an angle α from the Earth's centre, has been bent by δ(b).
-/// Traced backwards, it either meets the Sun's disc at the cosine μ, or misses the disc and carries no light. Along a
-/// ray, radiance changes only by the transmittance T.
+/// A ray that arrives with impact parameter b, at an angle α from the Earth's centre, has been bent by δ(b). D is the
+/// distance of the place from the Earth's centre. Traced backwards, the ray either meets the Sun's disc at the cosine
+/// μ, or misses the disc and carries no light. Along a ray, radiance changes only by the transmittance T.
 ///
-/// Omits  light that the air scatters towards the place; bending along the ellipsoid's vertical instead of
-///        towards the Earth's centre (the two directions differ by 0.2° at most)
+/// Omits  light that the air scatters towards the place; bending along the ellipsoid's vertical instead of towards the
+///        Earth's centre (the two directions differ by 0.2° at most)
 class LimbRing {
  public:
   /// Interval of impact parameters [m].
@@ -45,8 +45,8 @@ class LimbRing {
   void radiance(double position_angle_rad, double impact_parameter_m,
                 std::span<double> values) const;
 
-  /// Impact parameters of the ring, from the lowest ground at the limb up to the table's next ray above the
-  /// highest one that comes from the Sun. Empty if no ray comes from the Sun.
+  /// Impact parameters of the ring, from the lowest ground at the limb to the table's ray just above the highest one
+  /// that comes from the Sun. Empty if no ray comes from the Sun.
   Extent extent() const;
 
   /// Distance D of the place from the Earth's centre [m].

@@ -18,12 +18,12 @@ namespace {
 
 constexpr double widest_spacing_m = 10e3;
 
-/// Largest number of parts in a cell. It is larger if the Sun is not limb-darkened, as its limb, which appears first,
-/// is then as bright as its middle.
+/// Largest number of parts in a cell. More are needed if the Sun is not limb-darkened, because its limb, which appears
+/// first, is then as bright as its middle.
 double most_parts(const Arrangement& arrangement) { return arrangement.limb_darkening ? 10 : 40; }
 
-/// Axis distance half a spacing beyond the last place, where photons' last ring ends: refracted light is held up
-/// to there.
+/// Axis distance up to which refracted light of the last place is used. It is half a spacing beyond that place; for
+/// photons, this is where the last ring ends.
 double last_distance(std::span<const double> x) {
   return x.size() < 2 ? x.back() : x.back() + (x.back() - x[x.size() - 2]) / 2;
 }
@@ -35,7 +35,7 @@ std::vector<double> row_sums(const ChannelWeights& weights) {
   return sums;
 }
 
-/// Weights of one channel without the zeros at either end: most weights of a spectral band are 0.
+/// Weights of one channel. The zeros at either end are left out, because most weights of a spectral band are 0.
 struct Weights {
   std::size_t first;
   std::span<const double> values;
@@ -61,14 +61,14 @@ std::vector<Weights> by_channel(const algebra::Grid<double>& weights) {
 
 /// Up to four consecutive places, and their weights at a point between them.
 struct Cubic {
-  std::ptrdiff_t first = 0;  ///< −1 is the first place beyond the axis
+  std::ptrdiff_t first = 0;  ///< −1 is the nearest place beyond the axis
   std::size_t count = 0;
   std::array<double, 4> share{};
 };
 
-/// Weights for the cubic through the two places on either side; outside the places, the end values hold.
+/// Weights for the cubic through two places on either side of a point. Outside all places, the end values hold.
 ///
-/// Given  beyond_axis  number of places beyond the axis that are used, mirror images of those on this side
+/// Given  beyond_axis  number of places used beyond the axis, which are mirror images of those on this side
 Cubic cubic_at(std::span<const double> x, std::size_t beyond_axis, double at) {
   if (at <= x.front() && beyond_axis == 0) return {0, 1, {1}};
   if (at >= x.back()) return {static_cast<std::ptrdiff_t>(x.size()) - 1, 1, {1}};
@@ -91,7 +91,7 @@ Cubic cubic_at(std::span<const double> x, std::size_t beyond_axis, double at) {
 
 using Rows = std::array<std::span<const double>, 4>;
 
-/// Rows of a cubic's places; the last is repeated where there are fewer than four.
+/// Rows of a cubic's places. If there are fewer than four, the last is repeated.
 Rows rows_of(const Cubic& cubic, const algebra::Grid<double>& here,
              const algebra::Grid<double>& across) {
   Rows rows;
@@ -109,7 +109,7 @@ double on_cubic(const Cubic& cubic, const Rows& rows, std::size_t k) {
          share[3] * rows[3][k];
 }
 
-/// Limits within which the logarithm is interpolated: relative noise, and ln(brightest / darkest) of four places.
+/// Limits up to which the logarithm is interpolated: relative noise, and ln(brightest / darkest) of four places.
 constexpr double known_to = 1. / 3, widest_range = 7;
 
 /// Whether to interpolate the logarithm; false if a logarithm is NaN.
@@ -123,12 +123,12 @@ std::size_t sector_of(const LookupTable& table, std::size_t row) {
   return table.sectors[row / table.nodes.count() % table.held];
 }
 
-/// Whether a row of the table stands for the dark sectors that are not held.
+/// Whether a row of the table belongs to the dark sector that stands for all sectors not held.
 bool is_dark(const LookupTable& table, std::size_t row) {
   return !table.sectors.all() && row / table.nodes.count() % table.held == table.held - 1;
 }
 
-/// Inputs that fill a table, node by node.
+/// Inputs from which a table is filled, node by node.
 struct Filling {
   const RefractedLight& light;
   const DirectLight& direct;
@@ -138,7 +138,7 @@ struct Filling {
   algebra::Grid<double> direct_weights = direct.in_layers(weights);
   std::vector<Weights> refracted_in = by_channel(weights), direct_in = by_channel(direct_weights);
 
-  /// Given     row  of the table
+  /// Given     row  index of a row of the table
   /// Returned  whether refracted light is known there
   bool fill(LookupTable& table, std::size_t row, std::span<double> ratios,
             std::span<double> clear) const {
@@ -158,8 +158,8 @@ struct Filling {
   }
 };
 
-/// Estimated error of linear interpolation between three nodes, relative to the brightest channel: a quarter of the
-/// middle node's distance from the line through the outer ones.
+/// Estimated error of linear interpolation between nodes, relative to the brightest channel: a quarter of the distance
+/// of the middle one of three nodes from the line through the outer two.
 double bend(const LookupTable& table, std::size_t middle) {
   double bent = 0, brightest = 0;
   for (std::size_t c = 0; c < table.channels; ++c) {
@@ -173,7 +173,7 @@ double bend(const LookupTable& table, std::size_t middle) {
   return brightest > 0 ? bent / brightest : 0;
 }
 
-/// Fills a table whose nodes are given.
+/// Fills a table whose nodes have been set.
 ///
 /// Returned  by row, whether refracted light is known there
 std::vector<char> fill_table(LookupTable& table, const Filling& filling) {
@@ -189,7 +189,7 @@ std::vector<char> fill_table(LookupTable& table, const Filling& filling) {
   return known;
 }
 
-/// Largest bend at each node over all planes and sectors where refracted light is known.
+/// Largest `bend` at each node, over all planes and sectors in which refracted light is known.
 std::vector<double> bends(const LookupTable& table, std::span<const char> known) {
   const std::size_t nodes = table.nodes.count();
   std::vector<double> worst(nodes);
@@ -200,15 +200,15 @@ std::vector<double> bends(const LookupTable& table, std::span<const char> known)
   return worst;
 }
 
-/// Number of parts into which a cell is cut. The error of linear interpolation falls as the square of the spacing,
-/// but as its power 3/2 at the umbra's edge, as the Sun's uncovered area rises with that power there.
+/// Number of parts into which a cell is cut. The error of linear interpolation falls as the square of the spacing. At
+/// the umbra's edge it falls as the power 3/2, because the Sun's uncovered area rises with that power there.
 double parts_for(double tolerance, double error) {
   if (error <= tolerance) return 1;
   return std::ceil(std::pow(error / (0.8 * tolerance), 2. / 3));
 }
 
-/// Number of parts for each cell, from the bends at its own and neighbouring nodes; limited to half a gigabyte
-/// in all.
+/// Number of parts for each cell, derived from the bends at its own and neighbouring nodes. The whole table is limited
+/// to half a gigabyte.
 std::vector<double> parts_of_cells(const LookupTable& table, std::span<const double> bends,
                                    double tolerance, double most) {
   constexpr double most_values = 5e8 / sizeof(float);
@@ -273,7 +273,7 @@ Lookup::Lookup(const ChannelWeights& weights, LightPart part) {
 
 Lookup::Lookup(const RefractedLight& light, const DirectLight& direct,
                const ChannelWeights& weights, const LookupRange& range, LightPart part)
-    : Lookup(weights) {  // errors of refracted light, too, are relative to sunlight
+    : Lookup(weights) {  // sets the sunlight to which errors are relative
   algebra::require_within("tolerance of the look-up", range.tolerance, 1e-6, 0.1);
   table_.depths_m = light.arrangement.depths_m;
   table_.middle_depth_m = std::midpoint(table_.depths_m.front(), table_.depths_m.back());

@@ -28,17 +28,17 @@ enum class LightPart {
 struct LookupRange {
   double from_m = 0;
   double to_m = std::numeric_limits<double>::infinity();  ///< limited to the penumbra's end
-  double tolerance = 1e-4;                                ///< see Lookup's Accuracy; 1e-6 to 0.1
+  double tolerance = 1e-4;                                ///< 1e-6 to 0.1; see Accuracy at Lookup
   /// sectors to hold, including two on either side of each place that is read; others may stay dark. If the light
   /// has a different number of sectors around the axis, all are held
   Sectors sectors{};
 };
 
-/// Interpolates refracted light in axis distance, wavelength by wavelength, with a cubic through four known
-/// places; negative values become 0. Rings of photons have a fixed width, so for photons the logarithm of the light
-/// is interpolated if all four rings are known to a third or better and lie within a factor of a thousand. The cubic
-/// then continues across the axis into the opposite sector. Outside the known places the end values hold, beyond the
-/// last for half a spacing (its ring's outer edge); farther out light is 0.
+/// Interpolates refracted light in axis distance, wavelength by wavelength, with a cubic through four known places;
+/// negative results become 0. For photons, whose rings have a fixed width, the logarithm of the light is interpolated
+/// if all four rings are known to a third or better and lie within a factor of a thousand. For photons, the cubic also
+/// continues across the axis into the opposite sector. Before the first known place, and for half a spacing beyond the
+/// last (up to its ring's outer edge), light is that at the nearest place. Farther out it is 0.
 ///
 /// Accuracy  for light that falls by a factor e in two spacings, 2e-3; with the logarithm, 1e-5
 class BetweenPlaces {
@@ -60,30 +60,29 @@ class BetweenPlaces {
   double from_m_, to_m_;
 };
 
-/// Look-up table of refracted and direct light by place in the shadow, in a few channels, read once per
-/// texel. Interpolation is linear in depth and axis distance and cubic in position angle; beyond the penumbra
-/// there is full sunlight. Interpolation in depth follows lines from the limb (`sheared`), along which light hardly
-/// changes.
+/// Look-up table of refracted and direct light in a few channels, by place in the shadow. It is read once per texel.
+/// Interpolation is linear in depth and axis distance and cubic in position angle; beyond the penumbra there is full
+/// sunlight. Interpolation in depth follows lines from the limb (`sheared`), along which light hardly changes.
 ///
-/// The table's nodes are denser than the places where refracted light is known (BetweenPlaces).
-/// Direct light is computed at the nodes.
+/// The table's nodes are denser than the places where refracted light is known (BetweenPlaces). Direct light is
+/// computed at the nodes.
 class Lookup {
  public:
   /// Given     light    refracted light
   ///           direct   direct light of the same arrangement
   ///           weights  (channel, wavelength)
-  ///           range    outside it, the outermost values hold up to the penumbra's end
-  /// Accuracy  linear interpolation between nodes errs by less than the tolerance times the brightest channel
-  ///           (each relative to its unshaded sunlight), unless that requires nodes closer than 1 km (250 m if the
-  ///           Sun is not limb-darkened) or more than half a gigabyte
-  /// Throws    Error    when the tolerance is outside its range
+  ///           range    part of the shadow to tabulate; outside it, the outermost values apply up to the penumbra's end
+  /// Accuracy  linear interpolation between nodes errs by less than the tolerance times the brightest channel (each
+  ///           relative to its unshaded sunlight), unless that requires nodes closer than 1 km (250 m if the Sun is not
+  ///           limb-darkened) or more than half a gigabyte
+  /// Throws    Error    if the tolerance is outside its range
   Lookup(const RefractedLight& light, const DirectLight& direct, const ChannelWeights& weights,
          const LookupRange& range = {}, LightPart part = LightPart::all);
 
   /// Look-up without a shadow: full sunlight everywhere, or 0 for `LightPart::refracted`.
   explicit Lookup(const ChannelWeights& weights, LightPart part = LightPart::all);
 
-  /// Look-up with a table taken from another one.
+  /// Look-up with a table taken from another look-up.
   explicit Lookup(LookupTable table) : table_(std::move(table)) {}
 
   const LookupTable& table() const { return table_; }
@@ -93,7 +92,7 @@ class Lookup {
   /// Writes the value of each channel.
   void read(const eclipse::ShadowPlace& place, std::span<double> values) const;
 
-  /// Writes the values at many places: see LookupTable.
+  /// Writes the values at many places, as described for LookupTable.
   void read(const Places& places, std::span<double> values) const {
     shadow::read(table_, places, values);
   }
@@ -101,10 +100,10 @@ class Lookup {
   /// Applies a function, such as gamut mapping, to every entry's channels in place.
   void transform(const std::function<void(std::span<double>)>& change);
 
-  /// Largest relative standard error of the first channel between two axis distances, including structure that
-  /// the rings of photons do not resolve; 1 where no light arrived.
+  /// Largest relative standard error of the first channel between two axis distances, including structure that the
+  /// rings of photons do not resolve; 1 where no light arrived.
   ///
-  /// Given  light, weights  the ones from which the look-up was made; it has not been transformed since
+  /// Given  light, weights  those from which the look-up was made; it must not have been transformed since
   double worst_relative_error(const RefractedLight& light, const ChannelWeights& weights,
                               double from_m, double to_m) const;
 

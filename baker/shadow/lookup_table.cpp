@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace coppermoon::shadow::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Offset of the first of two neighbours in the table's values, and weight of the second.
+/// Place between two neighbours in the table's values: the offset of the first, and the weight of the second.
 template <class V>
 struct Between {
   V low, part;
@@ -28,7 +28,7 @@ constexpr std::size_t places_at_once = 64;
 /// Number of sectors in a cubic of position angle: two on either side of a place.
 constexpr std::size_t sectors_about = 4;
 
-/// Offsets and weights in the table of a few places.
+/// Offsets and weights with which the table is read at a few places.
 struct Found {
   std::array<std::array<std::int64_t, places_at_once>, sectors_about> start;  ///< -1 in sunlight
   std::array<double, places_at_once> along, deeper;
@@ -102,7 +102,7 @@ std::array<V, sectors_about> cubic_shares(D d, V t) {
           hn::Mul(inner, before)};
 }
 
-/// Finds as many places as D has lanes, from the i-th on, and writes them to `found` from the k-th on.
+/// Finds offsets and weights of as many places as D has lanes, from the i-th on, and writes them from the k-th on.
 template <class D>
 void find_lanes(D d, const LookupTable& table, const Places& places, std::size_t i, std::size_t k,
                 Found& found) {
@@ -128,7 +128,7 @@ void find_lanes(D d, const LookupTable& table, const Places& places, std::size_t
                             hn::Mul(count, hn::Set(d, 1 / (2 * std::numbers::pi))));
   const auto whole = hn::Floor(turn), first = hn::Set(d, static_cast<double>(table.sectors.first)),
              dark = hn::Set(d, static_cast<double>(table.held - 1));
-  const auto start_of = [&](auto sector) {  // -1 to `count` + 2: a turn may round up to `count`
+  const auto start_of = [&](auto sector) {  // -1 to count + 2, because a turn may round up to count
     auto after = hn::Sub(sector, first);
     after = hn::IfThenElse(hn::Lt(after, hn::Zero(d)), hn::Add(after, count), after);
     after = hn::IfThenElse(hn::Ge(after, count), hn::Sub(after, count), after);
@@ -171,7 +171,7 @@ V blended(D d, const LookupTable& table, const Found& found, std::size_t k, std:
   return hn::Max(value, lowest);
 }
 
-/// Writes a place's channels, in whole vectors where there is room: the next place overwrites the surplus.
+/// Writes a place's channels, in whole vectors where there is room. The next place overwrites the surplus.
 void store(const LookupTable& table, const Found& found, std::size_t k, std::size_t place,
            std::span<double> values) {
   const hn::CappedTag<double, channel_padding> d;

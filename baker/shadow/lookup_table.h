@@ -16,7 +16,7 @@ struct Places {
   std::span<const double> east_m, north_m, depth_m;
 };
 
-/// Nodes of axis distance, denser where light varies faster: cells of equal width are each cut into equal parts.
+/// Nodes of axis distance, denser where light varies faster. Cells of equal width are each cut into equal parts.
 struct UnevenNodes {
   double first_m = 0, cell_m = 1;  ///< axis distance of the first node; width of a cell
   std::vector<double> first_node;  ///< [cell] index of the cell's first node
@@ -35,8 +35,8 @@ struct LookupTable {
   std::vector<double> depths_m;  ///< of the planes, increasing
   double middle_depth_m = 0;     ///< depth for which the nodes' axis distances hold; see `sheared`
   std::vector<double> sunlight;  ///< [channel], padded
-  Sectors sectors{};             ///< held sectors
-  /// number of held sectors; if not all are held, includes one dark sector that stands for all others
+  Sectors sectors{};             ///< sectors that the table holds
+  /// number of sectors held; if these are not all, it includes one dark sector that stands for all others
   std::size_t held = 1;
   UnevenNodes nodes;
   double end_m = 0;  ///< beyond this axis distance there is full sunlight
@@ -50,25 +50,23 @@ inline constexpr double limb_m = 6.39e6;
 /// Axis distance within which the limb on both sides of the axis sends light [m].
 inline constexpr double one_limb_m = 1.5e6;
 
-/// Axis distance at which a straight line from the limb crosses another plane. Light in the shadow hardly changes
-/// along these lines. Near the axis, where lines from the opposite limb cross them, the shift is reduced; on the
-/// axis it is 0.
+/// Axis distance at which a straight line from the limb crosses another plane. Light in the shadow hardly changes along
+/// these lines. Near the axis, where lines from the opposite limb cross them, the shift is reduced, to 0 on the axis.
 ///
-/// Given  axis_distance_m  where the line crosses the first plane
-///        deeper           ratio of the other plane's depth to the first one's
+/// Given  axis_distance_m  axis distance at which the line crosses the first plane
+///        deeper           ratio of the other plane's depth to that of the first
 inline double sheared(double axis_distance_m, double deeper) {
   // FAULT the look-up's planes sheared the wrong way: (deeper - 1); => (1 - deeper);
   const double shift = (axis_distance_m - limb_m) * (deeper - 1);
   return axis_distance_m + shift * std::min(1., axis_distance_m / one_limb_m);
 }
 
-/// Rows of the table are padded to a multiple of this many channels, so that whole vectors can be
-/// read.
+/// Rows of the table are padded to a multiple of this number of channels, so that whole vectors can be read.
 inline constexpr std::size_t channel_padding = 4;
 
-/// Reads the table by interpolation: linear between planes and nodes, cubic in position angle. The result is at least
-/// 0 (or the least of the four sectors, if that is negative). Outside, the outermost planes and nodes hold; beyond
-/// `end_m` and on the Sun's side of the Earth there is full sunlight.
+/// Reads the table by interpolation: linear between planes and nodes, cubic in position angle. The result is at least 0
+/// (or the least of the four sectors, if that is negative). Outside the table, the values at the outermost planes and
+/// nodes hold. Beyond `end_m`, and on the Sun's side of the Earth, there is full sunlight.
 ///
 /// Given     table   with two nodes or more; if it has none, there is full sunlight everywhere
 /// Returned  values  [place × channels + channel]

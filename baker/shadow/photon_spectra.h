@@ -10,13 +10,13 @@
 
 namespace coppermoon::shadow {
 
-/// Length of a photon's row for this number of wavelengths; values in the padding are not gathered.
+/// Length of a photon's row for the given number of wavelengths. Values in the padding are not gathered.
 constexpr std::size_t padded(std::size_t waves) { return padded(waves, 16); }
 
-/// Place between two consecutive rows, and a factor for their weighted mean.
+/// Place between two consecutive rows, and a factor that multiplies their weighted mean.
 struct Between {
   const float* first;
-  float along;  ///< 0 at the first, 1 at the next
+  float along;  ///< 0 at the first row, 1 at the next
   float factor = 1;
 };
 
@@ -41,10 +41,10 @@ struct Tally {
   Tally(std::size_t rows, std::size_t waves) : light(rows, padded(waves)), touched(rows) {}
 
   algebra::Grid<float> light;
-  std::vector<std::uint8_t> touched;  ///< rows that are not all zero
+  std::vector<std::uint8_t> touched;  ///< for each row, whether anything was added to it
 };
 
-/// Line on which a photon's wavelengths land: its direction from the axis, and its offset due to the photon's source.
+/// Line on which a photon's wavelengths land: direction from the axis, and offset due to the photon's place on the Sun.
 struct Aside {
   float toward_x, toward_y;      ///< unit vector
   float source_x_m, source_y_m;  ///< source on the Sun, projected through the limb

@@ -44,7 +44,7 @@ std::vector<BlockRange> united(std::vector<BlockRange> ranges,
 
 using Grids = std::vector<algebra::Grid<double>>;
 
-/// Adds y to x + rest with compensated summation: `rest` holds the digits that x cannot.
+/// Adds y to x + rest with compensated summation, where `rest` holds the digits that do not fit into x.
 ///
 /// Source  Knuth (1998), The Art of Computer Programming 2, 4.2.2, theorem B
 void add(double& x, double& rest, double y) {
@@ -65,7 +65,7 @@ void add(Grids& grids, Grids& rests, const Grids& more, const Grids& more_rests)
     }
 }
 
-/// Irradiance ratio in a ring's cell per square metre of unshaded sunlight that lands in the cell.
+/// Irradiance ratio in a cell of a ring, per square metre of unshaded sunlight that lands in the cell.
 double ratio_per_m2(const PhotonSums& sums, double depth_m, std::size_t ring) {
   const double spread = 1 + depth_m / sums.arrangement.sun_distance_m;
   const double area_m2 = std::numbers::pi * sums.ring_width_m * sums.ring_width_m *
@@ -86,7 +86,7 @@ void become_estimates(std::span<double> sums, std::span<double> squares, double 
   }
 }
 
-/// Limits within which a ring is used as a neighbour: relative noise, and ln of the two rings' ratio.
+/// Limits up to which a ring is used as a neighbour: relative noise, and the logarithm of the ratio of the two rings.
 constexpr double known_well = 1. / 3, steepest = 4;
 
 /// Mean light of a ring at one wavelength, and its noise.
@@ -100,8 +100,8 @@ RingLight ring_light(double mean, double noise) {
   return {std::log(mean), noise / mean, true};
 }
 
-/// Number of extra rings at either end of a sector's rings, on a line through the axis: before the first, rings of the
-/// opposite sector; after the last, rings that count as unknown.
+/// Number of extra rings at either end of a sector's line of rings. Before the first, they are rings of the opposite
+/// sector, across the axis. After the last, they are rings that count as unknown.
 constexpr std::size_t beyond = 2;
 
 void fill_line(const RefractedLight& means, std::size_t grid, std::size_t wave,
@@ -117,12 +117,12 @@ void fill_line(const RefractedLight& means, std::size_t grid, std::size_t wave,
   for (std::size_t r = 0; r < rings; ++r) line[beyond + r] = ring(grid, r);
 }
 
-/// Whether two rings count as neighbours for the parabola: both are known and their ratio is within the limit.
+/// Whether two rings count as neighbours for the parabola: both are known, and their ratio is within the limit.
 bool linked(const RingLight& a, const RingLight& b) {
   return a.known && b.known && std::abs(a.log_mean - b.log_mean) <= steepest;
 }
 
-/// Slope and curvature of the logarithm at a ring's middle, in units of the ring's width.
+/// Slope and curvature of the light's logarithm at a ring's middle, in units of the ring's width.
 struct LogShape {
   double slope = 0, curvature = 0;
 };
@@ -137,14 +137,14 @@ LogShape log_shape(std::span<const RingLight> line, std::span<const double> logs
 
 /// Ratio of the mean over a ring's area to the light at its middle, by three Gauss nodes.
 ///
-/// Given  steepening  h/r: width of the ring over axis distance of its middle
+/// Given  steepening  h/r: the ring's width divided by the axis distance of its middle
 double mean_over_middle(LogShape shape, double steepening) {
   const double at = std::sqrt(0.15), rise = std::exp(shape.slope * at),
                bend = std::exp(shape.curvature * at * at / 2);
   return 4. / 9 + 5. / 18 * bend * ((1 + steepening * at) * rise + (1 - steepening * at) / rise);
 }
 
-/// Writes logarithms of the light at the rings' middles, by fixed-point iteration.
+/// Finds the logarithms of the light at the rings' middles by fixed-point iteration.
 void deconvolve(std::span<const RingLight> line, std::vector<double>& logs) {
   logs.resize(line.size());
   for (std::size_t i = 0; i < line.size(); ++i) logs[i] = line[i].log_mean;
@@ -155,15 +155,16 @@ void deconvolve(std::span<const RingLight> line, std::vector<double>& logs) {
       const double steepening = 1 / (static_cast<double>(i - beyond) + 0.5);
       next[i] = line[i].log_mean - std::log(mean_over_middle(log_shape(line, logs, i), steepening));
     }
-    for (std::size_t k = 0; k < beyond; ++k)  // corrected as their mirror images on this side
+    // The rings beyond the axis are corrected like their mirror images on this side.
+    for (std::size_t k = 0; k < beyond; ++k)
       next[beyond - 1 - k] =
           line[beyond - 1 - k].log_mean + next[beyond + k] - line[beyond + k].log_mean;
     logs.swap(next);
   }
 }
 
-/// Square of the logarithm's fourth difference about a ring, minus its expected value from noise alone; nothing if
-/// the five rings are not all neighbours.
+/// Square of the logarithm's fourth difference about a ring, minus the value expected from noise alone. Empty if the
+/// five rings are not all neighbours.
 std::optional<double> fourth_difference_squared(std::span<const RingLight> line, std::size_t i) {
   constexpr std::array<double, 5> weights{1, -4, 6, -4, 1};
   double difference = 0, variance = 0;
@@ -176,8 +177,8 @@ std::optional<double> fourth_difference_squared(std::span<const RingLight> line,
   return difference * difference - variance;
 }
 
-/// Relative error due to unresolved structure of the light at and near a ring's middle. The squares of the
-/// neighbouring rings' differences count half, as fourth differences change sign about a kink.
+/// Relative error due to unresolved structure of the light at and near a ring's middle. The squares of the neighbouring
+/// rings' differences count half, because fourth differences change sign about a kink.
 double unresolved(std::span<const RingLight> line, double log_light, std::size_t i) {
   const auto own = fourth_difference_squared(line, i);
   if (!own) return std::abs(std::expm1(line[i].log_mean - log_light));
@@ -188,7 +189,7 @@ double unresolved(std::span<const RingLight> line, double log_light, std::size_t
   return 3. / 32 * std::sqrt(std::max(0., sum));
 }
 
-/// Relative noise of the light at a ring's middle, as if rings were independent: ln E ≈ ln M − δ² ln M / 24.
+/// Relative noise of the light at a ring's middle, with rings taken as independent and ln E ≈ ln M − δ² ln M / 24.
 double noise_at_middle(std::span<const RingLight> line, std::size_t i) {
   const auto of_next = [&](std::size_t k) {
     return linked(line[i], line[k]) ? line[k].relative_noise / 24 : 0;
@@ -196,7 +197,7 @@ double noise_at_middle(std::span<const RingLight> line, std::size_t i) {
   return std::hypot(13. / 12 * line[i].relative_noise, of_next(i - 1), of_next(i + 1));
 }
 
-/// Turns means over the rings of a sector into light at their middles, with its errors.
+/// Turns the means over the rings of a sector into the light at the rings' middles, with its errors.
 void become_middles(const RefractedLight& means, std::size_t grid, PhotonLight& light) {
   std::vector<RingLight> line;
   std::vector<double> logs;

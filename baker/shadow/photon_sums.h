@@ -23,19 +23,19 @@ struct BlockRange {
   bool operator==(const BlockRange&) const = default;
 };
 
-/// Blocks that hold this number of photons, rounded up to whole blocks.
+/// Blocks that hold the given number of photons, rounded up to whole blocks.
 BlockRange blocks_of(std::uint64_t photons);
 
-/// The part numbered `part` of a range of blocks that is cut into equal parts.
+/// One of the equal parts into which a range of blocks is cut.
 ///
-/// Given   part   1 to parts
-/// Throws  Error  when the number is outside its range
+/// Given   part   number of the part, 1 to `parts`
+/// Throws  Error  if a number is outside its range
 BlockRange shard(BlockRange blocks, std::uint64_t part, std::uint64_t parts);
 
 /// Sums of the light that blocks of photons brought to each cell. They are partial results of one simulation, which
 /// can be traced in several runs and merged.
 struct PhotonSums {
-  /// identifies the simulation: air, arrangement, seed and every other input. Only sums with equal keys merge
+  /// identifies the simulation: air, arrangement, seed and every other input. Only sums with equal keys can be merged
   std::string key;
   Arrangement arrangement{};
   std::vector<double> wavelengths_nm;
@@ -43,11 +43,11 @@ struct PhotonSums {
   std::size_t rings = 0, sectors = 1;
   bool all_wavelengths =
       true;  ///< whether a photon carries all wavelengths; otherwise it carries one
-  std::vector<BlockRange> done;  ///< in order, with gaps between them
-  /// [plane × sectors + sector](ring, wavelength): sum over blocks of each block's light, and of its square. Light
-  /// is expressed as the area that receives as much in unshaded sunlight [m²]
+  std::vector<BlockRange> done;  ///< ranges of traced blocks, in order, with gaps between them
+  /// [plane × sectors + sector](ring, wavelength): sum over blocks of each block's light, and of its square. Light is
+  /// expressed as the area [m²] that receives as much light in unshaded sunlight
   std::vector<algebra::Grid<double>> sum, sum_of_squares;
-  /// remainders of compensated summation, from merging; if empty, 0
+  /// remainders of compensated summation that arise in merging; if empty, they are 0
   std::vector<algebra::Grid<double>> sum_rest{}, sum_of_squares_rest{};
 };
 
@@ -58,17 +58,17 @@ std::vector<BlockRange> missing(const PhotonSums& sums, BlockRange blocks);
 
 /// Merges the sums of two runs.
 ///
-/// Accuracy  equal to a single run except for rounding, 1e-12, however many sums are merged one by one
-/// Throws    Error  when keys differ, or both hold the same block
+/// Accuracy  the same as a single run except for rounding, 1e-12, however many sums are merged one after another
+/// Throws    Error  if the keys differ, or both hold the same block
 PhotonSums merged(PhotonSums a, const PhotonSums& b);
 
 /// Mean and standard error of the light in each cell, placed at the ring's middle. Blocks are independent and
-/// identically distributed: the mean is unbiased, and its standard error follows from the scatter of blocks.
+/// identically distributed. The mean is therefore unbiased, and its standard error follows from the scatter of blocks.
 ///
-///     E/E₀ = (1 + z/D)² Σ / (n A)      A = the cell's area, n = number of photons
+///     E/E₀ = (1 + z/D)² Σ / (n A)      Σ = the cell's sum, A = the cell's area, n = number of photons
 ///
-/// Returned  light with axis_distances_m at the rings' middles; the standard error equals the ratio (100 %)
-///           if there are fewer blocks than blocks_for_an_error
+/// Returned  light with axis_distances_m at the rings' middles; the standard error equals the ratio (100 %) if there
+///           are fewer blocks than blocks_for_an_error
 RefractedLight means_over_rings(const PhotonSums& sums);
 
 /// Light estimated from photons. Its standard error combines noise and unresolved structure within rings, as the
@@ -78,20 +78,20 @@ struct PhotonLight : RefractedLight {
   std::vector<algebra::Grid<double>> noise;
 };
 
-/// Light at the rings' middles, deconvolved so that its means over the rings are the photons' means. The
-/// logarithm g of the light is a parabola through a ring and its two neighbours (across the axis, those of the
-/// opposite sector); s is the distance from the middle in ring widths h.
+/// Light at the rings' middles, deconvolved so that its means over the rings are the photons' means. The logarithm g of
+/// the light is a parabola through a ring and its two neighbours (across the axis, those of the opposite sector); s is
+/// the distance from the middle in ring widths h.
 ///
 ///     E = M / ∫ (1 + s h/r) exp(g′ s + g″ s²/2) ds      −½ < s < ½, M = the ring's mean
 ///
-/// Between the middles light is read as a cubic of the logarithm (BetweenPlaces). Structure that rings do not
-/// resolve is estimated as a relative error of 3/32 of the fourth difference of ln M, four times the error of a
-/// cubic for a smooth curve. It is combined with the neighbouring rings' errors, whose squares count half, and
-/// the fourth difference that noise alone would cause is subtracted. Rings whose noise exceeds a third of their
-/// mean (empty ones included) keep their mean and are not used as neighbours, nor are rings 50 times brighter
-/// or darker. With one neighbour missing, g is a straight line, and the whole correction counts as an error.
+/// Between the middles, light is interpolated by a cubic in its logarithm (BetweenPlaces). The relative error due to
+/// structure that rings do not resolve is estimated as 3/32 of the fourth difference of ln M, which is four times the
+/// error of a cubic for a smooth curve. It is combined with the neighbouring rings' errors, whose squares count half,
+/// and the fourth difference that noise alone would cause is subtracted. Rings whose noise exceeds a third of their
+/// mean, including empty ones, keep their mean and are not used as neighbours. Nor are rings that are 50 times brighter
+/// or darker. If one neighbour is missing, g is a straight line, and the whole correction counts as an error.
 ///
-/// Returned  as means_over_rings
+/// Returned  light with the same axis distances as from means_over_rings
 /// Accuracy  2e-5 for light that falls by a factor e in two ring widths or more; noise grows by 9 %
 PhotonLight estimated(const PhotonSums& sums);
 
@@ -100,14 +100,14 @@ PhotonLight estimated(const PhotonSums& sums);
 struct StoppingRule {
   std::vector<double> weights;  ///< by wavelength
   double tolerance;             ///< largest relative error at two standard errors, 1e-6 to 1
-  double from_m, to_m;          ///< axis distances
+  double from_m, to_m;          ///< range of axis distances
 };
 
-/// Largest relative error of the weighted light at two standard errors of noise; 1 if no light has landed somewhere,
-/// or the noise is not known. Unresolved structure does not count, as no number of photons would reduce it.
+/// Largest relative error of the weighted light at two standard errors of noise; 1 if no light has landed somewhere, or
+/// the noise is not known. Unresolved structure does not count, because more photons would not reduce it.
 double worst_error(const PhotonLight& light, const StoppingRule& rule);
 
-/// Largest relative error of the weighted light at two standard errors, unresolved structure included.
+/// Largest relative error of the weighted light at two standard errors, which include unresolved structure.
 double worst_error(const RefractedLight& light, const StoppingRule& rule);
 
 }  // namespace coppermoon::shadow

@@ -10,8 +10,8 @@ namespace coppermoon::shadow {
 /// Default number of sectors for light that is not symmetric about the axis.
 inline constexpr std::size_t sectors_around = 24;
 
-/// Consecutive sectors out of the equal ones that divide all position angles about the shadow axis, in order from
-/// `first` through east. Sector s is centred at 2π s / around.
+/// Consecutive sectors out of the equal sectors into which position angles about the shadow axis are divided. They are
+/// counted from `first` through east. Sector s is centred at 2π s / around.
 struct Sectors {
   std::size_t around = 1;  ///< number of sectors in the full circle, 1 or more
   std::size_t first = 0, count = around;
@@ -23,7 +23,7 @@ struct Sectors {
   /// Number of the i-th of these sectors.
   std::size_t operator[](std::size_t i) const { return (first + i) % around; }
 
-  /// Number of a sector, wrapped into 0 to around − 1.
+  /// The number of a sector, wrapped into the range from 0 to around − 1.
   std::size_t wrapped(std::ptrdiff_t number) const {
     const auto size = static_cast<std::ptrdiff_t>(around);
     return static_cast<std::size_t>((number % size + size) % size);
@@ -43,7 +43,7 @@ struct Sectors {
     return wrapped(static_cast<std::ptrdiff_t>(std::floor(turn + 0.5)));
   }
 
-  /// Sector on the opposite side of the axis; the sector itself if the number of sectors is odd.
+  /// Sector on the opposite side of the axis, or the sector itself if the number of sectors is odd.
   std::size_t opposite(std::size_t part) const {
     return around % 2 == 0 ? (part + around / 2) % around : part;
   }
@@ -57,7 +57,7 @@ struct Sectors {
                                : Sectors{around, (first + around - 1) % around, count + 2};
   }
 
-  /// These sectors if the full circle has `parts` of them; otherwise all sectors of a circle with `parts`.
+  /// These sectors if the full circle has `parts` of them; otherwise all sectors of a circle that has `parts`.
   Sectors in(std::size_t parts) const { return parts == around ? *this : Sectors{parts}; }
 };
 

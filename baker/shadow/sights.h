@@ -19,7 +19,7 @@ class Slants {
 
   /// Amounts from a point outwards.
   ///
-  /// Given  lowest_m  lowest altitude of the line; below 0 the table's value at 0 holds
+  /// Given  lowest_m  lowest altitude of the line; below 0, the table's values at 0 are used
   ///        along_m   distance of the point from the lowest point, 0 or more
   atmosphere::Amounts beyond(double lowest_m, double along_m) const;
 
@@ -36,8 +36,8 @@ class Slants {
   algebra::Grid<atmosphere::Amounts> outwards_;  // (line, place)
 };
 
-/// Quadrature point on a sight (a straight line past the limb), with quantities that do not depend on the
-/// sight's position angle or end.
+/// Quadrature point on a sight (a straight line past the limb), with quantities that are the same for all position
+/// angles and ends of the sight.
 struct SightPoint {
   double impact_m, along_m;  ///< along_m: from the lowest point, positive towards the shadow
   double altitude_m;

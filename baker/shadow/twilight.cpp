@@ -28,7 +28,7 @@ using atmosphere::Atmosphere;
 using atmosphere::Column;
 using std::numbers::pi;
 
-constexpr std::size_t angles_around = 12;  // angles at which a ring's light is computed
+constexpr std::size_t angles_around = 12;  // number of angles at which a ring's light is computed
 
 double squared(double x) { return x * x; }
 
@@ -44,7 +44,7 @@ class View {
 
   double distance_m() const { return distance_m_; }
 
-  /// Unit vector of light from the limb to the place.
+  /// Unit vector along which light travels from the limb to the place.
   glm::dvec3 direction(double impact_m) const {
     const double sine = impact_m / distance_m_;
     return std::sqrt(1 - sine * sine) * outwards_ - sine * aside_;
@@ -61,10 +61,10 @@ class View {
   glm::dvec3 outwards_, aside_;
 };
 
-/// Twilight from one column of air in all atmospheres, whose columns differ only in amounts.
+/// Twilight from one column of air, in several atmospheres whose columns differ only in amounts of absorbers.
 class Ring {
  public:
-  /// Given  richest  column with the largest amounts in any atmosphere (atmosphere::richest)
+  /// Given  richest  column with the largest amounts of absorbers in any atmosphere (atmosphere::richest)
   ///        columns  the column in each atmosphere
   Ring(const Column& richest, std::span<const Column* const> columns, double radius_m,
        std::span<const atmosphere::Optics> optics)
@@ -75,7 +75,8 @@ class Ring {
     for (const auto* column : columns) airs_.push_back(in_air(*column, optics));
   }
 
-  /// Adds light per radian of position angle around the Earth: the wavelengths of each atmosphere in turn, padded.
+  /// Adds light per radian of position angle around the Earth. `ratio` holds the padded wavelengths of one atmosphere
+  /// after the other.
   void add(const View& view, std::span<double> ratio) const {
     const auto phase = scattering(column_, view.direction(radius_m_).z);
     const std::size_t waves = ratio.size() / airs_.size();
@@ -128,12 +129,12 @@ class Ring {
   std::vector<InAir> airs_;
 };
 
-/// Light [angle][wavelength] by the angle between the directions of limb and place, over a half circle, as the
-/// other half mirrors it. The wavelengths of each atmosphere follow in turn, padded.
+/// Light [angle][wavelength] as a function of the angle between the directions of limb and place. It covers a half
+/// circle, because the other half mirrors it. The padded wavelengths of the atmospheres follow one after the other.
 using AroundTheRing = std::vector<std::vector<double>>;
 
-/// Weights (angle, node) for trigonometric interpolation of an even function, from its values at nodes over a half
-/// circle to `angles` angles around the full circle.
+/// Weights (angle, node) with which an even function is interpolated trigonometrically, from nodes over a half circle
+/// to `angles` angles around the full circle.
 Grid<double> between_angles(std::size_t angles) {
   constexpr std::size_t half = angles_around / 2;
   Grid<double> shares(angles / 2 + 1, half + 1);
@@ -151,10 +152,10 @@ Grid<double> between_angles(std::size_t angles) {
   return shares;
 }
 
-/// Light from a ring around a place at one axis distance.
+/// Light that a place at one axis distance receives from a ring, by angle around the ring.
 ///
 /// Given  shares  weights from `between_angles`
-///        waves   padded number of wavelengths, of all atmospheres
+///        waves   padded number of wavelengths, in all atmospheres together
 AroundTheRing around(const Ring& ring, double axis_distance_m, double depth_m,
                      const Grid<double>& shares, std::size_t waves) {
   AroundTheRing nodes(shares.columns(), std::vector<double>(waves)),
@@ -172,7 +173,7 @@ AroundTheRing around(const Ring& ring, double axis_distance_m, double depth_m,
   return light;
 }
 
-/// Rings by column; nothing for columns that have no part of the limb.
+/// One ring for each column; empty for columns that have no part of the limb.
 std::vector<std::optional<Ring>> rings_of(std::span<const Atmosphere> airs,
                                           std::span<const double> wavelengths_nm) {
   const auto rich = atmosphere::richest(airs);
@@ -192,9 +193,9 @@ std::vector<std::optional<Ring>> rings_of(std::span<const Atmosphere> airs,
   return rings;
 }
 
-/// Adds the twilight that one sector receives from the whole ring, each part of it with its own air.
+/// Adds the twilight that one sector receives from the whole ring, each part of which has its own air.
 ///
-/// Given  first_wave  index in the rings' light of this atmosphere's first wavelength
+/// Given  first_wave  index of this atmosphere's first wavelength in the rings' light
 void gather(const Atmosphere& atmosphere, const std::vector<AroundTheRing>& rings,
             std::size_t sector, std::size_t angles, double factor, std::size_t first_wave,
             std::span<double> ratio) {
@@ -209,7 +210,7 @@ void gather(const Atmosphere& atmosphere, const std::vector<AroundTheRing>& ring
   }
 }
 
-/// Increasing multiples of a step that enclose a list; if the list is no longer than these, the list itself, sorted.
+/// Increasing multiples of a step that enclose a list of values, or the sorted list itself if that is no longer.
 std::vector<double> coarser(std::vector<double> list, double step) {
   std::ranges::sort(list);
   const double first = std::floor(list.front() / step), last = std::ceil(list.back() / step);
@@ -276,7 +277,7 @@ RefractedLight twilight(const Atmosphere& atmosphere, const Arrangement& arrange
 
 std::vector<RefractedLight> twilight_about(const RefractedLight& light,
                                            std::span<const Atmosphere> airs) {
-  constexpr double step_nm = 5;  // of the ozone's cross-sections
+  constexpr double step_nm = 5;  // step of the table of ozone's cross-sections
   constexpr double step_m = 1000e3;
   const auto& depths_m = light.arrangement.depths_m;
   auto on_one_plane = light.arrangement;

@@ -9,49 +9,49 @@
 
 namespace coppermoon::shadow {
 
-/// Twilight ring: sunlight that the air at the limb scatters once into the shadow, as a ratio to unshaded sunlight,
-/// on a surface that faces the Sun.
+/// Twilight ring: sunlight that the air at the limb scatters once into the shadow, as a ratio to unshaded sunlight, on
+/// a surface that faces the Sun.
 ///
 ///     E/E₀ = (1 + z/D)² / r² ∫∫∫ Σ ω_k P_k(χ) / (4π) β_k exp(−τ) ds b db dφ
 ///
-/// integrated over sights from the place (distance r from the Earth's centre) past the limb at impact
-/// parameter b and position angle φ, and along each sight by s; β_k is an absorber's extinction, ω P/(4π) its
-/// scattering (atmosphere::scattering), χ the angle between sunlight and sight, 0 to 1.7°, τ the optical depth
-/// along the straight lines from the Sun to the point and from the point to the place. Over the share of the limb
-/// that cloud covers, cloud stops both lines below its top; the ground stops sunlight.
+/// The integral runs over sights from the place (at the distance r from the Earth's centre) past the limb at impact
+/// parameter b and position angle φ, and along each sight by s. β_k is an absorber's extinction, ω P/(4π) its
+/// scattering (atmosphere::scattering), and χ the angle between sunlight and sight, 0 to 1.7°. τ is the optical depth
+/// along the straight lines from the Sun to the scattering point and from there to the place. Over the share of the
+/// limb that cloud covers, cloud stops both lines below its top. The ground stops sunlight.
 ///
 /// Given     wavelengths_nm    380 to 780
 ///           axis_distances_m  0 or more
-/// Returned  one sector for air without regions, otherwise sectors_around; at 450 nm on the axis 1.6e-7
-///           in clear air, 3.7e-7 in standard air, 1.0e-6 under a stratosphere full of ash
-/// Accuracy  1.5 % of this integral, and of sasktran2's single scattering on the axis, from clear air to ash. With
-///           only every third belt, which takes 0.4 of the time: 2 % in 1982 and 1991, 4 % in 2022
-/// Omits     multiple scattering, which adds to this light on the axis 9 % (420 nm) to 5 % (700 nm) in clear air, 1 %
-///           more over ground of albedo 0.3, 2 to 11 % with stratospheric aerosol, 2 to 4 % under ash (sasktran2's
-///           discrete ordinates and successive orders); refraction, 20' of the 57' between sight and sunlight at
-///           12 km, which loses no light: that of sights 1 %, of sunlight 1 %; the Sun's radius, 16'; the ellipsoid:
-///           a sphere of its mean limb, 0.2 %; depolarisation, 1 %; forward peaks sharper than Henyey and
-///           Greenstein's; dispersion of ω and g, which are for 550 nm, 5 %; light reflected by ground and cloud:
-///           within 6378 km of the axis only the night side is seen
-/// Throws    Error           when an argument is outside its range
+/// Returned  one sector for air without regions, otherwise sectors_around; at 450 nm on the axis 1.6e-7 in clear air,
+///           3.7e-7 in standard air, 1.0e-6 under a stratosphere full of ash
+/// Accuracy  1.5 %, compared with this integral and with sasktran2's single scattering on the axis, from clear air to
+///           ash. Only every third belt is used, to save 0.6 of the time; this errs by 2 % (1982, 1991) to 4 % (2022)
+/// Omits     multiple scattering, which on the axis adds 9 % (420 nm) to 5 % (700 nm) of this light in clear air, 1 %
+///           more over ground of albedo 0.3, 2 to 11 % with stratospheric aerosol, and 2 to 4 % under ash (by
+///           sasktran2's discrete ordinates and successive orders); refraction, which makes up 20' of the 57' between
+///           sight and sunlight at 12 km but loses no light: 1 % for sights, and 1 % for sunlight; the Sun's radius,
+///           16'; the ellipsoid, which is replaced by a sphere of its mean limb, 0.2 %; depolarisation, 1 %; forward
+///           peaks sharper than Henyey and Greenstein's; dispersion of ω and g, which are for 550 nm, 5 %; light
+///           reflected by ground and cloud, because within 6378 km of the axis only the night side is seen
+/// Throws    Error           if an argument is outside its range
 RefractedLight twilight(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
                         std::span<const double> wavelengths_nm,
                         std::span<const double> axis_distances_m);
 
-/// Twilight in several atmospheres at once. This is faster than one by one, as lines through the air are integrated
-/// only once.
+/// Twilight in several atmospheres at once. This is faster than one by one, because lines through the air are
+/// integrated only once.
 ///
 /// Given   airs   one or more, which may differ only in their dust, ozone and cloud cover
-/// Throws  Error  when airs differ in anything else (atmosphere::richest), and as twilight
+/// Throws  Error  if the atmospheres differ in anything else (atmosphere::richest), and as for twilight
 std::vector<RefractedLight> twilight_in(std::span<const atmosphere::Atmosphere> airs,
                                         const Arrangement& arrangement,
                                         std::span<const double> wavelengths_nm,
                                         std::span<const double> axis_distances_m);
 
 /// Twilight from which `add_between` interpolates the twilight at places in the shadow. It is computed on one middle
-/// plane, at the places' wavelengths and axis distances, or every 5 nm and every 1000 km where these are fewer.
+/// plane, at the places' wavelengths and axis distances, or at every 5 nm and every 1000 km if these are fewer.
 ///
-/// Given   light  at the places, with increasing wavelengths
+/// Given   light  light at the places, with increasing wavelengths
 ///         airs   as for twilight_in
 std::vector<RefractedLight> twilight_about(const RefractedLight& light,
                                            std::span<const atmosphere::Atmosphere> airs);
@@ -76,12 +76,12 @@ void add_twilight_in(std::span<RefractedLight> lights,
                      std::span<const atmosphere::Atmosphere> airs);
 
 /// Ratio of the irradiance from the stars of half the sky to sunlight at 1 au. The sky's mean brightness is taken as
-/// 100 stars of tenth magnitude per square degree, the Sun's as V = −26.74, the stars' spectrum as the Sun's.
+/// 100 stars of tenth magnitude per square degree, the Sun as V = −26.74, and the stars' spectrum as the Sun's.
 ///
 ///     ¼ · 41253 · 100 · 10^(−0.4 (10 + 26.74))
 ///
 /// Accuracy  a third, depending on which part of the Milky Way is up
-/// Omits     zodiacal light, brighter than the stars near the Sun
+/// Omits     zodiacal light, which near the Sun is brighter than the stars
 /// Source    Leinert et al. (1998), A&AS 127, 1, for the brightness of the sky
 inline constexpr double starlight_ratio = 2.08e-9;
 

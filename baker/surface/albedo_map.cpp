@@ -47,7 +47,7 @@ Neighbours between_poles(double latitude_rad, std::size_t rows) {
   return {i, std::min(i + 1, rows - 1), y - static_cast<double>(i)};
 }
 
-/// Sums over the texels in the disc as seen from latitude 0, longitude 0.
+/// Sums over the texels of the disc that is seen from above latitude 0, longitude 0.
 struct DiscSum {
   double light = 0, area = 0;
 };

@@ -23,7 +23,7 @@ using std::numbers::pi;
 
 constexpr int smoothings = 2;
 
-/// Converts a table of whole numbers to a grid, multiplying each by a unit.
+/// Reads a table of whole numbers into a grid, and multiplies each number by a unit.
 Grid<float> grid_of(std::string_view text, double unit) {
   const auto lines = algebra::parse_text_table(text);
   Grid<float> grid(lines.size(), lines.front().size());
@@ -33,7 +33,8 @@ Grid<float> grid_of(std::string_view text, double unit) {
   return grid;
 }
 
-/// Smooths a map by a binomial filter of 3 rows and 3 columns, across the seam; the outermost rows are repeated.
+/// Smooths a map with a binomial filter of 3 rows by 3 columns, which continues across the seam. At the top and the
+/// bottom the outermost row is repeated.
 Grid<float> smoothed(const Grid<float>& map) {
   const std::size_t rows = map.rows(), columns = map.columns();
   const auto binomial = [](float a, float b, float c) { return (a + 2 * b + c) / 4; };
@@ -49,8 +50,8 @@ Grid<float> smoothed(const Grid<float>& map) {
   return both;
 }
 
-/// Poisson kernel at evenly spaced angles, normalised to a sum of 1. It gives the weights of values on a unit circle
-/// for the harmonic function at a radius within it.
+/// Poisson kernel at evenly spaced angles, normalised to a sum of 1. These are the weights with which values on the
+/// unit circle give the harmonic function on a smaller circle.
 std::vector<float> poisson_kernel(std::size_t count, double radius) {
   std::vector<float> kernel(count);
   double sum = 0;
@@ -63,8 +64,8 @@ std::vector<float> poisson_kernel(std::size_t count, double radius) {
   return kernel;
 }
 
-/// Fills the polar cap beyond a row with the harmonic function, in which each wave cos m λ falls as
-/// tan^m(colatitude/2).
+/// Fills one row of a polar cap from the last measured row, by the harmonic function in which each wave cos m λ falls
+/// as tan^m(colatitude/2).
 void continue_harmonically(Grid<float>& map, std::size_t measured, std::size_t row) {
   const auto half_colatitude = [&](std::size_t r) {
     const std::size_t from_pole = std::min(r, map.rows() - 1 - r);
@@ -81,7 +82,7 @@ void continue_harmonically(Grid<float>& map, std::size_t measured, std::size_t r
   }
 }
 
-/// Extends rows for the middle latitudes to a map of the whole sphere.
+/// Extends a map of the middle latitudes to the poles.
 Grid<float> to_the_poles(const Grid<float>& middle) {
   Grid<float> whole(middle.columns() / 2, middle.columns());
   const std::size_t missing = (whole.rows() - middle.rows()) / 2, last = whole.rows() - missing - 1;
@@ -99,9 +100,9 @@ Grid<float> measured(Grid<float> map) {
   return to_the_poles(map);
 }
 
-/// Subtracts from each map its mean over the disc, weighted by light (A mu f times the cell's area).
+/// Subtracts from the maps of colour and surge their means over the disc, weighted by light (A mu f times cell area).
 void subtract_means(Ground& ground, const Grid<float>& normal_albedo, Photometry photometry) {
-  constexpr std::size_t rows = 360;  // half a degree: finer than either map
+  constexpr std::size_t rows = 360;  // of half a degree, finer than either map
   double light = 0, colour = 0, surge = 0;
   for (std::size_t r = 0; r < rows; ++r)
     for (std::size_t c = rows / 2; c < rows + rows / 2; ++c) {
@@ -121,7 +122,7 @@ void subtract_means(Ground& ground, const Grid<float>& normal_albedo, Photometry
   for (float& value : ground.surge.values()) value -= static_cast<float>(surge / light);
 }
 
-/// Derivative of the surge's logarithm with respect to its amplitude: B(g) / (1 + Bs0 B(g) + m).
+/// Derivative of the logarithm of Hapke's opposition surge with respect to its amplitude: B(g) / (1 + Bs0 B(g) + m).
 double share_of_surge(algebra::Angle phase) {
   constexpr double amplitude = 1.87, width = 0.073, more_than_once = 0.158;
   const double b = 1 / (1 + std::tan(algebra::in_radians(phase) / 2) / width);

@@ -7,10 +7,10 @@
 
 namespace coppermoon::surface {
 
-/// Maps of colour and opposition surge relative to those of the mean Moon, laid out as in albedo_map.h. They are
-/// smooth, with cells of one and two degrees.
+/// Maps of the Moon's colour and opposition surge relative to their means, laid out as in albedo_map.h. They are
+/// smooth; their cells measure one degree for colour and two for the surge.
 struct Ground {
-  /// c: natural logarithm of the ratio of reflectance at 415 nm to that at 566 nm; bluer above 0
+  /// c: natural logarithm of the ratio of reflectance at 415 nm to that at 566 nm; positive where the ground is bluer
   algebra::Grid<float> colour;
   algebra::Grid<float> surge;  ///< s: amplitude of the shadow-hiding opposition surge
 };
@@ -20,11 +20,11 @@ inline constexpr double strongest_colour = 0.15;
 
 /// Colour and surge measured by a camera in orbit (LROC).
 ///
-/// Returned  c and s as measured, without subtracting their means; smoothed twice by a binomial filter three cells
-///           wide, as single cells are off by 0.012 in c. Beyond latitude 70 degrees, where there are no measurements,
-///           the harmonic function that continues the last rows; at the pole it is their mean
-/// Accuracy  places to a degree; c to 0.006, s to 0.03, from the scatter between neighbouring cells
-/// Omits     the surge's width, which the same source gives: it correlates with latitude, as the observed phases
+/// Returned  c and s as measured, with their means. Both are smoothed twice by a binomial filter three cells wide,
+///           because single cells are off by 0.012 in c. Beyond latitude 70 degrees, where there are no measurements, a
+///           harmonic function continues the last rows and reaches their mean at the pole
+/// Accuracy  1 degree in position; 0.006 in c and 0.03 in s, judging by the scatter between neighbouring cells
+/// Omits     the surge's width, which the same source gives, because it varies with latitude, as the observed phases
 ///           do, and not with the terrain
 /// Source    baker/surface/data/lunar_blue_ratio.csv, lunar_surge_amplitude.csv: Sato et al. (2014),
 ///           Resolved Hapke parameter maps of the Moon
@@ -36,7 +36,7 @@ Ground measured_ground();
 ///     sum of mu A f c = 0, sum of mu A f s = 0        over the disc seen and lit from latitude 0, longitude 0
 ///
 /// Given   normal_albedo  A, laid out as in albedo_map.h
-/// Throws  Error          as geometric_albedo
+/// Throws  Error          if the map is empty, or its near side is black
 Ground ground_under(const algebra::Grid<float>& normal_albedo, Photometry photometry);
 
 /// Deviation k of a place's spectrum from the mean Moon's, per unit of c. The ratio of reflectance to the mean spectrum
@@ -44,32 +44,32 @@ Ground ground_under(const algebra::Grid<float>& normal_albedo, Photometry photom
 ///
 ///     k = -5.4578e-3 x + 7.7136e-6 x^2        x = lambda - 566 nm
 ///
-/// 1 at 415 nm, 0 at 566 nm and -0.3745 at 643 nm: the first principal component of the logarithms of the
-/// reflectances at 415 and 643 nm, each divided by that at 566 nm, in all cells of the disc, weighted by
-/// projected area. It holds 94 % of their variance.
+/// k is 1 at 415 nm, 0 at 566 nm and -0.3745 at 643 nm. It is the first principal component of the logarithms of the
+/// reflectances at 415 and 643 nm, each divided by that at 566 nm, in all cells of the disc, weighted by projected
+/// area. It explains 94 % of their variance.
 ///
 /// Given     wavelength  380 to 780 nm
 /// Returned  1.282 at 380 nm, -0.815 at 780 nm
-/// Accuracy  0.7 % in the ratio of 643 to 566 nm, RMS over the disc. Outside 415 to 643 nm the parabola is
-///           extrapolated
+/// Accuracy  0.7 % rms over the disc in the ratio of reflectances at 643 and 566 nm. Outside 415 to 643 nm the parabola
+///           is extrapolated
 /// Throws    Error  when the wavelength is outside its range
 /// Source    Sato et al. (2014)
 double colour_spectrum(algebra::Wavelength wavelength);
 
-/// Deviation q of a place's phase curve from the mean Moon's, per unit of s. The curve is P (1 + s q), with P the
+/// Deviation q of a place's phase curve from the mean Moon's, per unit of s. The curve is P (1 + s q), where P is the
 /// phase_factor and q the derivative of the logarithm of Hapke's surge with respect to its amplitude:
 ///
-///     q(g) = B(g) / (1 + Bs0 B(g) + m) minus the same at 1.5 degrees
+///     q(g) = B(g) / (1 + Bs0 B(g) + m) minus its value at 1.5 degrees
 ///     B(g) = 1 / (1 + tan(g/2) / hs)
 ///
-/// Bs0 = 1.87, mean over the disc; hs = 0.073, mean within 20 degrees of the equator; m = 0.158, the ratio of multiply
-/// scattered light to p. Ground with stronger shadow hiding (the maria) is dimmer at large phases, and a little
-/// brighter at small ones, than the mean phase curve predicts.
+/// Bs0 = 1.87 is the mean over the disc; hs = 0.073 the mean within 20 degrees of the equator; m = 0.158 the ratio of
+/// multiply scattered light to Hapke's phase function p. Ground with stronger shadow hiding (the maria) is dimmer at
+/// large phases, and a little brighter at small ones, than the mean phase curve predicts.
 ///
-/// Returned  0 with yapo_cutler; 0.0074 at 0.95 degrees, as on the Moon within the umbra, -0.059
-///           at 7 degrees, -0.227 at 60
-/// Accuracy  during an eclipse a place changes by 0.3 % at most. A local width of the surge would change it by 1 %
-///           rms, but the measured widths do not reflect the terrain (see measured_ground)
+/// Returned  0 for yapo_cutler; otherwise 0.0074 at 0.95 degrees, the phase of a Moon within the umbra, -0.059 at 7
+///           degrees and -0.227 at 60 degrees
+/// Accuracy  during an eclipse q changes the light of a place by 0.3 % at most. Local widths of the surge would change
+///           it by 1 % rms, but the measured widths do not reflect the terrain (see measured_ground)
 /// Omits     variation of the phase function between places
 /// Source    Hapke (2012), Theory of Reflectance and Emittance Spectroscopy; Sato et al. (2014)
 double surge_slope(Photometry photometry, algebra::Angle phase);

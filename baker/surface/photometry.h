@@ -5,17 +5,17 @@
 
 namespace coppermoon::surface {
 
-/// Photometric functions: the ratio of radiance factor (I/F) to normal albedo. mu0 is the cosine of the angle between
-/// the surface normal and the Sun, mu that between the normal and the viewer, g the phase.
+/// Photometric functions. Each is the ratio f of radiance factor (I/F) to normal albedo. mu0 is the cosine of the angle
+/// between the surface normal and the Sun, mu that between the normal and the viewer; g is the phase.
 enum class Photometry {
-  /// Function by Yapo & Cutler: a full Moon that does not darken until close to the limb.
+  /// Yapo & Cutler's function. With it the full Moon does not darken until close to the limb.
   ///
   ///     f(mu0) = mu0 / (0.1 + 0.9 mu0)
   ///
   /// The numerator is Lambert's cosine, the denominator the paper's correction. The mean over the disc of the full
   /// Moon, 2 times the integral of mu f(mu) over 0 < mu < 1, is 0.92737.
   ///
-  /// Omits     phase and emission: no opposition surge, equal radiance in all directions
+  /// Omits     dependence on phase and emission angle: no opposition surge, equal radiance in all directions
   /// Source    Yapo & Cutler (2009), Rendering Lunar Eclipses, Eq. 13
   yapo_cutler,
   /// Lommel-Seeliger law, with the phase curve that reproduces ROLO's measurements of the whole disc:
@@ -25,50 +25,49 @@ enum class Photometry {
   ///            + d3 cos((g + 30.5858)/16.7498)                      g [deg], but [rad] in the sum
   ///     Phi = 1 - sin(g/2) tan(g/2) ln cot(g/4)
   ///
-  /// A is the disc reflectance, its coefficients the mean of the bands at 544.0, 549.1 and 553.8 nm (so A is their
-  /// geometric mean); Phi is the phase curve of a uniform Lommel-Seeliger sphere. f is 0 to 2.32; the largest values,
-  /// 2 F/F(1.5 deg), at grazing emission. ROLO observed phases from 1.55 to 97 degrees. Below that the expression is
-  /// extrapolated, to F(0)/F(1.5 deg) = 1.157; beyond 97 degrees F is constant.
+  /// A is the disc reflectance. Its coefficients are the means of those for the bands at 544.0, 549.1 and 553.8 nm, so
+  /// A is the geometric mean of these bands. Phi is the phase curve of a uniform Lommel-Seeliger sphere. f is 0 to
+  /// 2.32; it is largest, 2 F/F(1.5 deg), at grazing emission. ROLO observed phases from 1.55 to 97 degrees. Below 1.55
+  /// degrees the expression is extrapolated, to F(0)/F(1.5 deg) = 1.157; beyond 97 degrees F is constant.
   ///
-  /// Accuracy  whole disc: 1 % against ROLO's three bands from 1.55 to 10 degrees, 0.06 magnitudes against
-  ///           Allen's phase law from 10 to 90. Highlands and maria share one phase curve (surge_slope gives
+  /// Accuracy  for the whole disc 1 % against ROLO's three bands from 1.55 to 10 degrees, and 0.06 magnitudes against
+  ///           Allen's phase law from 10 to 90 degrees. Highlands and maria share one phase curve (surge_slope gives
   ///           their deviations)
-  /// Omits     local width of the surge; its colour (a few percent); roughness, which matters far from full Moon;
-  ///           that the waxing Moon is brighter than the waning one by a few percent
+  /// Omits     local variation of the surge's width; its colour (a few percent); roughness, which matters far from full
+  ///           Moon; the difference of a few percent between the waxing and the waning Moon
   /// Source    Kieffer & Stone (2005), The spectral irradiance of the Moon, AJ 129, 2887, Table 4;
   ///           Phi: Hapke (2012), Theory of Reflectance and Emittance Spectroscopy
   lommel_seeliger_rolo,
 };
 
-/// Phase at which both functions are 1 at normal incidence, and to which the full Moon's geometric albedo refers:
-/// about the smallest phase outside an eclipse.
+/// Phase at which both photometric functions are 1 at normal incidence, and to which the full Moon's geometric albedo
+/// refers. It is about the smallest phase outside an eclipse.
 inline constexpr algebra::Angle full_moon_phase = algebra::degrees(1.5);
 
-/// Ratio of radiance factor to normal albedo, by either function.
+/// Ratio of radiance factor to normal albedo, by one of the photometric functions.
 ///
-/// Given     cos_incidence  mu0, of the angle between the surface normal and the Sun
-///           cos_emission   mu, of the angle between the surface normal and the viewer; below 0
-///                          counts as 0
-///           phase          g, between the directions to the Sun and to the viewer
+/// Given     cos_incidence  mu0, cosine of the angle between the surface normal and the Sun
+///           cos_emission   mu, cosine of the angle between the normal and the viewer; negative values count as 0
+///           phase          g, angle between the directions to the Sun and to the viewer
 /// Returned  0 if mu0 <= 0
 double radiance_factor(Photometry photometry, double cos_incidence, double cos_emission,
                        algebra::Angle phase);
 
-/// Coefficients of either function's dependence on the cosines, for fast evaluation at many places:
+/// Coefficients for a photometric function's dependence on the cosines, for fast evaluation at many places:
 ///
 ///     f(mu0, mu, g) = scale mu0 / (incidence mu0 + emission max(mu, 0) + constant) P(g)
 ///
-/// with P the phase factor. The denominator is above 0 whenever mu0 is.
+/// where P is the phase factor. The denominator is positive whenever mu0 is positive.
 struct CosineLaw {
   double scale, incidence, emission, constant;
 };
 CosineLaw cosine_law(Photometry photometry);
 
-/// Phase factor P of either function, 1 at full Moon.
+/// Phase factor P of a photometric function, 1 at full Moon.
 double phase_factor(Photometry photometry, algebra::Angle phase);
 
-/// Radiance factor on the full Moon's disc, with Sun and viewer in the same direction: mu0 = mu, phase 1.5
-/// degrees. With lommel_seeliger_rolo it is 1 up to the limb.
+/// Ratio of radiance factor to normal albedo on the full Moon's disc at a phase of 1.5 degrees, with Sun and viewer
+/// taken to be in the same direction (mu0 = mu). With lommel_seeliger_rolo it is 1 up to the limb.
 double radiance_factor_at_full_moon(Photometry photometry, double cos_incidence);
 
 }  // namespace coppermoon::surface

@@ -5,7 +5,7 @@
 
 namespace coppermoon::surface {
 
-/// Spectrum of the Moon: the ratio of reflectance to that at 780 nm.
+/// Spectrum of the Moon: the ratio of its reflectance at a wavelength to its reflectance at 780 nm.
 ///
 ///     k_r = -0.27063 + 2.6175e-3 lambda - 1.2673e-6 lambda^2        lambda [nm]
 ///
@@ -15,7 +15,7 @@ namespace coppermoon::surface {
 ///           (the paper claims 0.3 %, which a fit reaches if it is not constrained to 1 at 780 nm)
 /// Omits     differences between places (see surface::Ground)
 /// Throws    Error  when the wavelength is outside its range
-/// Source    Yapo & Cutler (2009), Rendering Lunar Eclipses; the soil: Pieters (1999), RELAB
+/// Source    Yapo & Cutler (2009), Rendering Lunar Eclipses; Pieters (1999), RELAB, for the soil
 double lunar_reflectance_yapo_cutler(algebra::Wavelength wavelength);
 
 }  // namespace coppermoon::surface

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t texels_at_once = 256;
 
-/// Sine of the depression of the Earth's centre beyond which no place on Earth sees the ground. The Earth's radius is
-/// up to 0.0181 of its distance; there is a margin for refraction and neighbouring texels.
+/// Sine of the angle by which the Earth's centre must be below the horizon so that no place on Earth sees the ground.
+/// The Earth's radius is up to 0.0181 of its distance; the rest is margin for refraction and neighbouring texels.
 double sine_of_the_unseen(std::size_t rows) {
   return 0.04 + 1.5 * std::numbers::pi / static_cast<double>(rows);
 }
@@ -39,12 +39,12 @@ struct Scratch {
   std::vector<float> albedo{}, colour{}, surge{};
 };
 
-/// Everything that a texture's rows share.
+/// Everything that all rows of a texture share while it is baked.
 struct Baking {
   Globe globe;
   const shadow::Lookup& light;
   ResizedRows albedo;
-  std::optional<ResizedRows> colour, surge;  // if the ground differs by place
+  std::optional<ResizedRows> colour, surge;  // absent if the ground is the same everywhere
   TexelQuantity quantity;
   std::vector<double> sunlit;
   algebra::Progress progress;
@@ -52,12 +52,12 @@ struct Baking {
 
   std::size_t channels() const { return colour ? light.channels() / 2 : light.channels(); }
 
-  /// Writes one texel's channels.
+  /// Writes one texel's channels from the light at its place and the share that it reflects.
   void write(double reflected, std::span<const double> there, std::span<float> texel) const {
     const std::size_t count = texel.size();
     if (quantity == TexelQuantity::luminance)
       for (std::size_t c = 0; c < count; ++c)
-        texel[c] = static_cast<float>(reflected * there[c] + 0.);  // no -0 in the dark
+        texel[c] = static_cast<float>(reflected * there[c] + 0.);  // + 0. turns -0 into 0
     else if (quantity == TexelQuantity::irradiance)
       for (std::size_t c = 0; c < count; ++c)
         // FAULT irradiance without the Sun's distance: globe.inverse_square * there => there
@@ -68,7 +68,7 @@ struct Baking {
         texel[c] = static_cast<float>(reflected / globe.inverse_square * there[c] + 0.);
   }
 
-  /// Interpolates light between the reddest and the bluest ground, by the texel's own colour.
+  /// Mixes the light on the reddest and on the bluest ground, according to the colour of the texel's ground.
   void mix(std::span<double> there, double bluer) const {
     const std::size_t count = channels();
     const double share = 0.5 + bluer / (2 * surface::strongest_colour);
@@ -85,7 +85,7 @@ struct Baking {
       for (std::size_t c = 0; c < there.size(); ++c) there[c] /= sunlit[c];
   }
 
-  /// Albedo, colour and surge of the ground in some texels.
+  /// Albedo, colour and surge of the ground in a run of texels.
   struct Texels {
     std::span<const float> albedo, colour, surge;
     Texels part(std::size_t first, std::size_t count) const {

@@ -23,7 +23,7 @@ using Colour = std::array<float, 3>;
 constexpr Colour bright{1.F, 0.8F, 0.45F}, dim{0.6F, 0.6F, 0.6F}, white{0.9F, 0.9F, 0.9F};
 constexpr int title_size = 22, least_title_size = 9, label_size = 15;
 
-/// An OpenImageIO buffer that shares an image's values.
+/// Wraps an image's values in an OpenImageIO buffer without copying them.
 OIIO::ImageBuf shared(Image& image) {
   return {OIIO::ImageSpec(static_cast<int>(image.width), static_cast<int>(image.height), 3,
                           OIIO::TypeDesc::FLOAT),
@@ -36,10 +36,10 @@ void require_done(bool done, const OIIO::ImageBuf& buffer) {
   if (!done) throw Error(fmt::format("contact sheet: {}", reason));
 }
 
-/// A line of text on a sheet, and its place.
+/// A line of text and its position on a sheet.
 struct Line {
   const std::string& text;
-  std::size_t x, y;  ///< anchor on the baseline
+  std::size_t x, y;  ///< point on the baseline to which the text is aligned
   TextAlignX held;
   int size;
   Colour colour;
@@ -54,8 +54,8 @@ void write_line(Image& sheet, const std::filesystem::path& font, const Line& lin
       buffer);
 }
 
-/// Size at which a title fits between a sheet's sides, but never too small to read. OpenImageIO cannot measure
-/// empty text.
+/// Largest size, up to the usual one, at which a title fits between a sheet's sides, but never too small to read. Empty
+/// text gets the usual size, because OpenImageIO cannot measure it.
 int fitting_size(const Image& sheet, const ContactSheet& of) {
   if (of.title.empty()) return title_size;
   const auto room = static_cast<int>(sheet.width - 2 * SheetGrid::gap);
@@ -68,7 +68,7 @@ int fitting_size(const Image& sheet, const ContactSheet& of) {
   return size;
 }
 
-/// Scales a picture down by averaging its light.
+/// Scales a picture down to the grid's size by averaging linear light. The result is linear.
 Image thumbnail(Image picture, const SheetGrid& grid) {
   for (float& value : picture.values) value = OIIO::sRGB_to_linear(value);
   Image small(SheetGrid::picture_width, grid.picture_height, picture.channels);

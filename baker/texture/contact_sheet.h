@@ -15,7 +15,7 @@ namespace coppermoon::texture {
 struct SheetPicture {
   std::filesystem::path file;  ///< sRGB-coded, three channels
   std::string left, right;
-  bool marked = false;  ///< whether captions are bright, not dim
+  bool marked = false;  ///< whether its captions are bright rather than dim
 };
 
 /// Pictures side by side, row by row, under a title.
@@ -23,7 +23,7 @@ struct ContactSheet {
   std::string title;
   std::vector<SheetPicture> pictures;
   std::size_t columns = 1;
-  std::filesystem::path font;  ///< a TrueType file
+  std::filesystem::path font;  ///< path of a TrueType file
 };
 
 /// Layout of a contact sheet [pixels].
@@ -35,14 +35,16 @@ struct SheetGrid {
   std::size_t width() const { return gap + columns * (picture_width + gap); }
   std::size_t height() const { return title_height + rows * row_height(); }
   std::size_t row_height() const { return picture_height + label_height + gap; }
-  /// Pixels from the sheet's left edge and top to a picture's upper left corner.
+  /// Distance from the sheet's left edge (or top) to the upper left corner of a picture.
   std::size_t left(std::size_t index) const {
     return gap + index % columns * (picture_width + gap);
   }
   std::size_t top(std::size_t index) const { return title_height + index / columns * row_height(); }
 };
 
-/// Given  width, height  of each picture
+/// Layout for a number of pictures.
+///
+/// Given  width, height  size of the first picture, whose shape all pictures get
 inline SheetGrid sheet_grid(std::size_t pictures, std::size_t columns, std::size_t width,
                             std::size_t height) {
   const std::size_t across = std::clamp<std::size_t>(pictures, 1, columns);
@@ -52,23 +54,23 @@ inline SheetGrid sheet_grid(std::size_t pictures, std::size_t columns, std::size
 
 /// Path of a system font for a contact sheet.
 ///
-/// Throws  Error  when there is none where systems keep fonts; names a package to install
+/// Throws  Error  when no known font is installed; the message names a package to install
 std::filesystem::path sheet_font();
 
-/// Draws a contact sheet on black, with one picture in memory at a time. Pictures are scaled to the width of SheetGrid
-/// by averaging light, all to the shape of the first. A title that is too long is set smaller.
+/// Draws a contact sheet on black, with only one picture in memory at a time. Pictures are scaled to SheetGrid's width
+/// by averaging light, and all get the shape of the first. A title that is too long is set in smaller letters.
 ///
-/// Returned  sRGB-coded, 0 to 1: R, G, B
-/// Throws    Error  as read_image; when there is no picture, a picture does not have three channels, or
-///                  the font cannot be used
+/// Returned  R, G and B, sRGB-coded, 0 to 1
+/// Throws    Error  as for read_image; when there is no picture, a picture does not have three channels, or the font
+///                  cannot be used
 Image drawn(const ContactSheet& sheet);
 
-/// Writes captions into the lower left and right corners of a developed picture. They are a 36th of its height, at
-/// least 9 pixels, but smaller if the two would meet.
+/// Writes captions into the lower left and right corners of a developed picture. The letters' size is 1/36 of the
+/// picture's height, but at least 9 pixels. It is reduced if the two captions would meet.
 ///
 /// Given   picture  three channels
 ///         grey     level of the letters, coded like the picture
-///         font     a TrueType file
+///         font     path of a TrueType file
 /// Throws  Error    when the font cannot be used
 void write_captions(Image& picture, const std::string& left, const std::string& right, float grey,
                     const std::filesystem::path& font);

@@ -13,7 +13,7 @@
 
 namespace coppermoon::texture {
 
-/// Texels with any number of named channels, row by row from the top, each texel's channels together.
+/// Texels with any number of named channels, stored row by row from the top. A texel's channels are stored together.
 struct Image {
   std::size_t width = 0, height = 0;
   std::vector<std::string> channels;
@@ -47,10 +47,10 @@ struct Layout {
   std::vector<std::string> channels;
 };
 
-/// An image made on demand: fills `values` with whole rows, [row][column][channel], starting at `first_row`.
+/// An image made on demand. The function fills `values` with whole rows, [row][column][channel], from `first_row` on.
 using Rows = std::function<void(std::size_t first_row, std::span<float> values)>;
 
-/// Rows of an existing image, which must outlive them.
+/// Rows of an existing image, which must outlive the returned function.
 inline Rows rows_of(const Image& image) {
   return [&image](std::size_t first_row, std::span<float> values) {
     const std::size_t length = image.width * image.channels.size();
@@ -61,10 +61,10 @@ inline Rows rows_of(const Image& image) {
 /// A value in an image file's header.
 using Attribute = std::variant<std::string, float, int, std::vector<float>>;
 
-/// A header's values by name. OpenEXR's standard names have the meaning that OpenEXR defines:
-/// `capDate`, `utcOffset` [s], `longitude`, `latitude` [degrees], `altitude` [m], `expTime` [s],
-/// `aperture`, `isoSpeed`, `whiteLuminance` [cd/m²], `chromaticities` (8 numbers),
-/// `colorInteropID`, `framesPerSecond` (2 numbers, such as 24000 and 1001), `owner`, `comments`.
+/// A header's values by name. OpenEXR's standard names have the meaning that OpenEXR defines: `capDate`, `utcOffset`
+/// [s], `longitude`, `latitude` [degrees], `altitude` [m], `expTime` [s], `aperture`, `isoSpeed`, `whiteLuminance`
+/// [cd/m²], `chromaticities` (8 numbers), `colorInteropID`, `framesPerSecond` (2 numbers, such as 24000 and 1001),
+/// `owner`, `comments`.
 using Attributes = std::map<std::string, Attribute, std::less<>>;
 
 }  // namespace coppermoon::texture

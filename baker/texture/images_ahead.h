@@ -5,7 +5,7 @@
 
 namespace coppermoon::texture {
 
-/// Loads the code that reads and writes images while other work goes on; this takes 0.2 s on one processor. An error is
+/// Loads, in the background, the code that reads and writes images, which takes 0.2 s on one processor. Errors are
 /// reported only when an image is first read or written. Nothing is loaded ahead if the address space is limited.
 class ImagesAhead {
  public:

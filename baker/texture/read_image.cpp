@@ -26,7 +26,7 @@ namespace coppermoon::texture {
 namespace {
 
 namespace fs = std::filesystem;
-/// Calls a function; if it runs out of memory, throws an Error that names the file.
+/// Calls a function, and turns running out of memory into an Error that names the file.
 template <class Make>
 auto within_memory(const fs::path& path, const OIIO::ImageSpec& spec, Make make) {
   try {
@@ -37,7 +37,7 @@ auto within_memory(const fs::path& path, const OIIO::ImageSpec& spec, Make make)
   throw cannot_read(path, fmt::format("no memory for {} x {} texels", spec.width, spec.height));
 }
 
-/// The curve from a file's numbers to linear light: a power, or sRGB's curve.
+/// The curve that turns a file's numbers into linear light: a power, or sRGB's curve.
 struct Curve {
   bool srgb;
   float power;
@@ -60,13 +60,13 @@ float linear(float v, Curve curve) {
   return curve.power == 1 ? v : std::pow(v, curve.power);
 }
 
-/// Names of a file's channels. OpenImageIO 2.5 calls luminance and the two colour differences R, G and B.
+/// Names of a file's channels. OpenImageIO 2.5 would call luminance and the two colour differences R, G and B.
 std::vector<std::string> channels_of(const OIIO::ImageSpec& spec) {
   if (spec.get_int_attribute("openexr:luminancechroma") != 0) return {"Y", "RY", "BY"};
   return spec.channelnames;
 }
 
-/// A list of channels for an error message, shortened when there are very many.
+/// A list of channels for an error message, shortened if there are more than 12.
 std::string names_of(const std::vector<std::string>& channels) {
   constexpr std::size_t most = 12;
   const auto shown = static_cast<std::ptrdiff_t>(std::min(most, channels.size()));
@@ -74,8 +74,8 @@ std::string names_of(const std::vector<std::string>& channels) {
                      channels.size() > most ? ", …" : "");
 }
 
-/// Outside OpenEXR, bands must be grey, or red, green and blue. Alpha may follow, and after grey it need
-/// not be marked as such. A colour TIFF may have more bands, as its header says that the first three are colours.
+/// Outside OpenEXR, bands must be grey, or red, green and blue. Alpha may follow; after grey it need not be marked as
+/// alpha. A colour TIFF may have more bands, because its header says that the first three are colours.
 void require_bands(const fs::path& path, const OIIO::ImageSpec& spec) {
   constexpr int colours = 2;
   const int bands = spec.nchannels - (spec.alpha_channel >= 0 ? 1 : 0);
@@ -85,8 +85,8 @@ void require_bands(const fs::path& path, const OIIO::ImageSpec& spec) {
       fmt::format("{} bands, and nothing says which of them are colours, allowed up to 3", bands));
 }
 
-/// Which channels are red, green and blue; all the same for grey. Only in OpenEXR do the names come from
-/// the file; in other formats the order decides.
+/// Indices of the channels that are red, green and blue; all three are the same for grey. Only in OpenEXR do the file's
+/// channel names count; in other formats the order does.
 std::array<std::size_t, 3> rgb_channels(const fs::path& path, const OIIO::ImageInput& input) {
   const auto& spec = input.spec();
   if (!is_openexr(input)) require_bands(path, spec);
@@ -104,8 +104,8 @@ std::array<std::size_t, 3> rgb_channels(const fs::path& path, const OIIO::ImageI
   throw cannot_read(path, names_of(channels) + ", allowed R, G and B, or Y alone");
 }
 
-/// Reads everything that a picture shows, several rows at a time. `put` gets each texel's place in the picture and
-/// its numbers; it is not called for places without texels in the file.
+/// Reads everything that a picture shows, several rows at a time. Calls `put` with each texel's place in the picture
+/// and its numbers, but not for places without texels in the file.
 template <class Put>
 void for_all_texels(OIIO::ImageInput& input, const fs::path& path, const Put& put) {
   const auto windows = windows_of(input);
@@ -127,7 +127,7 @@ void for_all_texels(OIIO::ImageInput& input, const fs::path& path, const Put& pu
   });
 }
 
-/// A black image of the size that the file shows.
+/// A black image that is as large as the picture in the file.
 Image black(const OIIO::ImageInput& input, std::vector<std::string> channels) {
   const auto shown = windows_of(input).display;
   return {shown.width, shown.height, std::move(channels)};
@@ -137,7 +137,7 @@ float luminance(float red, float green, float blue) {
   return 0.2126F * red + 0.7152F * green + 0.0722F * blue;
 }
 
-/// Converts a band's numbers to light, and its luminance by a power.
+/// Converts coded numbers to linear light by a curve, and colours to the luminance of that light.
 struct FloatingTone {
   using Number = float;
   Curve curve;
@@ -148,7 +148,7 @@ struct FloatingTone {
   }
 };
 
-/// Table of the light for each of the 256 values of 8 bits.
+/// Converts 8-bit numbers as FloatingTone does, but with a table of the light for all 256 values.
 struct ByteTone {
   using Number = std::uint8_t;
   explicit ByteTone(const FloatingTone& of) {
@@ -164,7 +164,7 @@ struct ByteTone {
   std::array<float, 256> light{};
 };
 
-/// Converts colours by the file's own profile.
+/// Converts coded numbers to luminance by the file's own colour profile.
 struct ProfiledTone {
   using Number = float;
   const ColourProfile& profile;
@@ -181,7 +181,7 @@ struct ProfiledTone {
   }
 };
 
-/// Texels in a map that show no ground: wholly transparent, or with GDAL's number for no data.
+/// Finds texels of a map that show no ground: those that are wholly transparent or have GDAL's number for missing data.
 template <class Number>
 struct Holes {
   int alpha;
@@ -203,7 +203,7 @@ struct Holes {
     return no_data && is_near(texel[channel], *no_data) ? "has no data (GDAL_NODATA)" : nullptr;
   }
 
-  /// Whether two numbers are the same, apart from rounding in text form.
+  /// Whether two numbers are equal, apart from rounding when one was written as text.
   static bool is_near(Number a, Number b) {
     if constexpr (std::is_floating_point_v<Number>)
       return std::abs(a - b) <= static_cast<Number>(1e-6) * std::abs(b);
@@ -251,14 +251,14 @@ void require_two_to_one(const fs::path& path, const OIIO::ImageInput& input,
                                   spec.full_width, spec.full_height));
 }
 
-/// Refuses inks other than cyan, magenta, yellow and black, which OpenImageIO cannot convert to light.
+/// Refuses inks other than cyan, magenta, yellow and black, because OpenImageIO cannot convert them to light.
 void require_light(const fs::path& path, const OIIO::ImageSpec& spec) {
   if (spec.channelnames[0].starts_with("ink"))
     throw cannot_read(path, "channels of inks, allowed grey, colours of light, or CMYK");
 }
 
 /// Prefix, such as "ViewLayer.Combined.", of the channels in the only layer that has all the given names. It is empty
-/// if the file itself has the first, or if no layer or several layers have them.
+/// if the first name exists without a prefix, or if no layer or several layers have all names.
 std::string only_layer_of(const std::vector<std::string>& channels,
                           const std::vector<std::string>& names) {
   const auto has = [&](const std::string& name) {
@@ -274,8 +274,8 @@ std::string only_layer_of(const std::vector<std::string>& channels,
   return layers.size() == 1 && !has(names.front()) ? layers.front() : "";
 }
 
-/// Refuses a map in which a few texels outshine all others, and would darken them when the mean is scaled: the
-/// brightest thousandth of texels exceeds the 99.9th percentile by more than 1 % of the light in total.
+/// Refuses a map in which a few texels outshine all others, because scaling by the mean would darken the others. The
+/// light of the brightest 0.1 % of texels above the 99.9th percentile may be at most 1 % of all light.
 void require_no_rogues(const fs::path& path, const algebra::Grid<float>& map) {
   constexpr double share = 0.001, most_light = 0.01;
   const auto values = map.values();
@@ -284,7 +284,7 @@ void require_no_rogues(const fs::path& path, const algebra::Grid<float>& map) {
   for (const float v : values) light += double{v};
   const auto greatest = std::ranges::max_element(values);
   if (double{*greatest} * all * share <= most_light * light)
-    return;  // the usual case: no need to sort a copy
+    return;  // the usual case, in which sorting a copy is not needed
   std::vector<float> sorted(values.begin(), values.end());
   const auto percentile = sorted.begin() + static_cast<std::ptrdiff_t>((1 - share) * (all - 1));
   std::ranges::nth_element(sorted, percentile);
@@ -354,7 +354,7 @@ Image read_channels(const fs::path& path, const std::vector<std::string>& names)
   });
 }
 
-/// Whether the file's own colours count; they do not if the user says what the numbers are.
+/// Whether the file's own colours count; they do not if the user states what the numbers mean.
 bool heeds_colours(Coding coding) {
   return coding == Coding::as_file_says || coding == Coding::camera;
 }

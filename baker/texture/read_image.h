@@ -17,30 +17,30 @@
 
 namespace coppermoon::texture {
 
-/// Limits on the images that are read, so that a header's claim cannot take memory or time out of
-/// proportion to its file. Each number takes 4 bytes. 65536 x 32768 texels of four channels are within the
-/// limits. So is a uniform image packed by DWA, the densest format of all: 7000 numbers per byte.
+/// Limits on the images that are read, so that a header's claim cannot take memory or time out of proportion to its
+/// file. Each number takes 4 bytes. 65536 x 32768 texels of four channels are within the limits. So is a uniform image
+/// packed by DWA, the densest format of all, which has 7000 numbers per byte.
 inline constexpr double most_texels_a_side = 1 << 20, most_numbers = 8589934592.,
                         most_numbers_of_any_file = 1 << 24, most_numbers_a_byte = 8192;
 
-/// Reads every texel of an image file of any kind: floating-point formats as they are, integer formats as 0
-/// to 1, still coded and oriented as in the file. A camera's raw file gives its own three channels, linear. EXR,
-/// TIFF, PNG, JPEG, FITS, GIF, BMP, PSD, HDR, JPEG 2000, HEIF and WebP are recognised by their first bytes; others,
-/// and raw files, by their file name extensions. An EXR file gives its display window, black outside its data
-/// window, as in the next two functions.
+/// Reads every texel of an image file of any kind: numbers of floating-point formats unchanged, those of integer
+/// formats as 0 to 1, still coded and oriented as in the file. A camera's raw file gives its own three channels,
+/// linear. EXR, TIFF, PNG, JPEG, FITS, GIF, BMP, PSD, HDR, JPEG 2000, HEIF and WebP are recognised by their first
+/// bytes; other formats, and raw files, by their file name extensions. An EXR file gives its display window, which is
+/// black outside its data window; read_channels and read_light do the same.
 ///
-/// Throws  Error  one line with the path: no such file, not permitted, a directory, empty, not an
-///                image, an image that ends early; a side of more than most_texels_a_side, more
-///                numbers (texels by channels) than most_numbers, or more than
-///                most_numbers_of_any_file and most_numbers_a_byte for each byte of the file, in all
-///                or in a tile
+/// Throws  Error  one line with the path: no such file, not permitted, a directory, empty, not an image, an image that
+///                ends early; a side of more than most_texels_a_side; more numbers (texels times channels), in all or
+///                in a tile, than most_numbers, or than most_numbers_of_any_file plus most_numbers_a_byte for each byte
+///                of the file
 Image read_image(const std::filesystem::path& path);
 
-/// Reads the named channels, in that order, of an image of light, which holds floating-point numbers. If the image has
-/// none of them, they are read from its only layer that has all, such as "ViewLayer.Combined.R".
+/// Reads the named channels, in the given order, from an image of light, which must hold floating-point numbers. If the
+/// image has no channels of these names, they are read from its only layer that has all of them, such as
+/// "ViewLayer.Combined.R".
 ///
-/// Throws  Error  as read_image; when the image holds whole numbers, which are codes; when a named channel is
-///                missing, listing those there are
+/// Throws  Error  as for read_image; when the image holds whole numbers, which are codes; when a named channel is
+///                missing (the message lists those that exist)
 Image read_channels(const std::filesystem::path& path, const std::vector<std::string>& names);
 
 /// A rectangle of texels in the plane.
@@ -56,15 +56,15 @@ struct Windows {
   bool operator==(const Windows&) const = default;
 };
 
-/// OpenEXR's data and display windows; for other kinds of files both are the same.
+/// OpenEXR's data and display windows. For other kinds of files, both are the same.
 ///
-/// Throws  Error  as read_image
+/// Throws  Error  as for read_image
 Windows windows_of(const std::filesystem::path& path);
 
-/// Attributes in an image file's header, as text, in the order of the names; nothing for a name that is missing.
+/// Reads attributes, as text, from an image file's header, in the order of the names; nothing for a missing name.
 ///
 /// Given   names  as in Attributes
-/// Throws  Error  as read_image
+/// Throws  Error  as for read_image
 std::vector<std::optional<std::string>> read_attributes(const std::filesystem::path& path,
                                                         std::span<const std::string_view> names);
 
@@ -74,66 +74,66 @@ inline std::optional<std::string> read_attribute(const std::filesystem::path& pa
   return read_attributes(path, {&name, 1}).front();
 }
 
-/// Coding of an integer format's numbers. Not every file states it: a TIFF never does.
+/// What the numbers of an image mean. Not every file states it: a TIFF never does.
 enum class Coding {
-  as_file_says,  ///< if the file says nothing, integers are sRGB and floating point is linear
+  as_file_says,  ///< if the file does not say, integers are sRGB and floating point is linear
   srgb,
   linear,
-  camera,  ///< the camera's own tone curve (colour/tone_curve.h); read as sRGB: displayed light
+  camera,  ///< the camera's own tone curve (see colour/tone_curve.h); read as sRGB
 };
 
-/// Words for the codings, as on the command line and in Python.
+/// Names of the codings on the command line and in Python.
 inline constexpr std::array<std::pair<const char*, Coding>, 4> coding_words{
     {{"as-file-says", Coding::as_file_says},
      {"srgb", Coding::srgb},
      {"linear", Coding::linear},
      {"camera", Coding::camera}}};
 
-/// Reads the light in an image of any kind, upright: channels R, G, B, all the same for grey. In an EXR file
-/// they are found by name: R, G and B, or Y alone.
+/// Reads the light in an image of any kind, upright: channels R, G, B, all the same for grey. In an EXR file they are
+/// found by name: R, G and B, or Y alone.
 ///
-/// Colour profiles, primaries, orientation, and whether white is zero are honoured; colours only if the
-/// coding is as_file_says or camera.
+/// Colour profiles, primaries, orientation, and whether white is zero are honoured. Profiles and primaries count only
+/// if the coding is as_file_says or camera.
 ///
-/// A camera's raw file (CR2, NEF, ARW, DNG, or anything else LibRaw reads) becomes linear Rec. 709 by the
-/// camera's colour matrix for D65, upright. White under D65 is neutral, whatever the camera's white balance
-/// was. The value 1 is the saturation of the most sensitive channel. A pixel with a clipped channel is 1 in
-/// all three, and so are its neighbours; no other number is above 1. Pixels are interpolated linearly.
+/// A camera's raw file (CR2, NEF, ARW, DNG, or anything else LibRaw reads) is converted to linear Rec. 709 by the
+/// camera's colour matrix for D65. White under D65 is neutral, whatever the camera's white balance was. The value 1 is
+/// the saturation of the most sensitive channel. A pixel with a clipped channel is 1 in all three channels, and so are
+/// its neighbours; no other number is above 1. Pixels are interpolated linearly.
 ///
 /// Given     rec709_from_raw  matrix for a raw file's channels, balanced for D65; if absent, the camera's from LibRaw
-/// Returned  linear; integer formats 0 to 1; below 0 for a raw file's colours outside the gamut
-/// Omits     alpha: what is transparent is black; for raw files, noise below black, which LibRaw cuts off, lens
-///           corrections, sensors without colours
-/// Throws    Error  as read_image; when the header says something about the numbers that cannot be honoured
-///                  (names it); when channels have other names, such as those of luminance and chroma, or
-///                  nothing says which of them are colours; when a number is not finite; when the colour
-///                  matrix of a raw file's camera is unknown, or a raw file is to be decoded as sRGB
+/// Returned  linear light; 0 to 1 for integer formats; below 0 for a raw file's colours outside the gamut
+/// Omits     alpha, so what is transparent is black; for raw files, noise below black (which LibRaw cuts off), lens
+///           corrections, and monochrome sensors
+/// Throws    Error  as for read_image; when the header says something about the numbers that cannot be honoured (the
+///                  message names it); when channels have other names, such as those of luminance and chroma, or
+///                  nothing says which of them are colours; when a number is not finite; when the colour matrix of a
+///                  raw file's camera is unknown, or a raw file is to be decoded as sRGB
 /// Source    IEC 61966-2-1
 Image read_light(const std::filesystem::path& path, Coding coding = Coding::as_file_says,
                  const std::optional<glm::dmat3>& rec709_from_raw = {});
 
 /// Whether a file is a camera's raw file.
 ///
-/// Throws  Error  as read_image
+/// Throws  Error  as for read_image
 bool is_raw_file(const std::filesystem::path& path);
 
-/// Reads an albedo map: the luminance of an image, row 0 in the north.
+/// Reads an albedo map: the luminance of an image whose row 0 is in the north.
 ///
-///     Y = 0.2126 R + 0.7152 G + 0.0722 B        for linear R, G, B; a single Y is taken as it is
+///     Y = 0.2126 R + 0.7152 G + 0.0722 B        for linear R, G, B; a single Y is used unchanged
 ///
-/// Given     path      of any 2:1 image, longitude 0 in the middle, east to the right
-/// Returned  Y, linear, in the image's own scale; normalise it before use
-/// Throws    Error     as read_light; when the image is a raw file, not 2:1 or part of a larger one; when a texel is
-///                     negative, infinite, not a number, transparent, or marked by GDAL as without data; when the
-///                     excess of the brightest 0.1 % of texels over the 99.9th percentile is more than 1 % of the
+/// Given     path      path of a 2:1 image of any kind, longitude 0 in the middle, east to the right
+/// Returned  Y, linear, on the image's own scale; normalise it before use
+/// Throws    Error     as for read_light; when the image is a raw file, not 2:1 or part of a larger one; when a texel
+///                     is negative, infinite, not a number, transparent, or marked by GDAL as missing; when the light
+///                     by which the brightest 0.1 % of texels exceed the 99.9th percentile is more than 1 % of all
 ///                     light
 /// Source    ITU-R BT.709, IEC 61966-2-1
 algebra::Grid<float> read_albedo_map(const std::filesystem::path& path,
                                      Coding coding = Coding::as_file_says);
 
-/// Refuses an unusable map before reading it, as far as its header reveals that.
+/// Refuses an unusable map before it is read, as far as its header shows that it is unusable.
 ///
-/// Throws  Error  as read_albedo_map
+/// Throws  Error  as for read_albedo_map
 void require_albedo_map(const std::filesystem::path& path);
 
 }  // namespace coppermoon::texture

@@ -13,7 +13,7 @@ namespace {
 
 using algebra::Grid;
 
-/// The texels in a line that one texel in a shorter line covers.
+/// The texels in a line that one texel of a shorter line covers, with their weights.
 LineShare covered(std::size_t i, std::size_t size, std::size_t map_size) {
   const double width = static_cast<double>(map_size) / static_cast<double>(size);
   const double from = static_cast<double>(i) * width, to = from + width;
@@ -24,7 +24,7 @@ LineShare covered(std::size_t i, std::size_t size, std::size_t map_size) {
           (std::min(to, static_cast<double>(map_size)) - static_cast<double>(last)) / width};
 }
 
-/// The two texels in a line whose centres are on either side of a texel's centre in a longer line.
+/// The two texels in a line whose centres are next to the centre of a texel in a longer line, one on either side.
 LineShare either_side(std::size_t i, std::size_t size, std::size_t map_size, bool closed) {
   const auto n = static_cast<double>(map_size);
   // FAULT a map half a texel aside: (size) - 0.5 => (size)
@@ -44,7 +44,7 @@ std::vector<LineShare> column_shares(std::size_t columns, std::size_t map_column
   return shares;
 }
 
-/// Weighted sum of some rows in a map.
+/// Weighted sum of neighbouring rows in a map.
 std::vector<double> summed_rows(const Grid<float>& map, const LineShare& rows, double full) {
   std::vector<double> sums(map.columns());
   const auto add = [&](std::size_t row, double part) {

@@ -15,18 +15,18 @@ struct LineShare {
   double first_part, last_part;
 };
 
-/// An albedo map at another size, one row at a time. A smaller one has the mean over each texel's area;
-/// a larger one is bilinear, as in surface::sampled; at the same size it is the map itself.
+/// An albedo map at another size, made row by row. A smaller map has the mean over each texel's area. A larger one is
+/// interpolated bilinearly, as in surface::sampled. At the same size it is the map itself.
 class ResizedRows {
  public:
   /// Given   map   2:1; must outlive this object
-  ///         rows  2 to 16384; twice as many columns
-  /// Throws  Error when rows or the map's shape is outside what is allowed
+  ///         rows  2 to 16384; there are twice as many columns
+  /// Throws  Error when rows or the map's shape is outside its range
   ResizedRows(const algebra::Grid<float>& map, std::size_t rows);
 
   std::size_t rows() const { return rows_; }
 
-  /// Given     buffer  space in which the row may be computed
+  /// Given     buffer  memory in which the row may be computed
   /// Returned  the row, which lies in the buffer or in the map
   std::span<const float> row(std::size_t row, std::vector<float>& buffer) const;
 

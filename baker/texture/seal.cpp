@@ -18,7 +18,7 @@ using namespace std::string_view_literals;
 constexpr std::size_t seal_digits = 16;
 constexpr std::size_t at_once = 4 << 20;  // bytes; the first block contains the header
 
-/// Offset of the digits, which follow the attribute's name, type and length as OpenEXR writes them.
+/// Offset of the fingerprint's digits in a file. OpenEXR writes them after the attribute's name, type and length.
 std::optional<std::size_t> place_of_digits(const files::Handle& file) {
   const auto before = std::string(seal_attribute) + std::string("\0string\0\x10\0\0\0"sv);
   const auto bytes = files::bytes_at(file, 0, at_once);
@@ -28,7 +28,7 @@ std::optional<std::size_t> place_of_digits(const files::Handle& file) {
   return found + before.size();
 }
 
-/// Fingerprint that a file would have if it were unsealed.
+/// Fingerprint of a file, computed as if it were still unsealed.
 std::string digits_of(const files::Handle& file, std::size_t place) {
   std::uint64_t at = 0;
   return fmt::format("{:016x}", files::fingerprint_of_pieces([&] {

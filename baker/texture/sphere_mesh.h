@@ -10,20 +10,20 @@
 
 namespace coppermoon::texture {
 
-/// A sphere of radius 1 for a plate carrée texture: north is +Y, longitude 0 +Z, 90° E +X,
-/// the axes of glTF and of USD with Y up. So x, y, z here are y, z, x in the Moon-fixed frame.
+/// A sphere of radius 1 for a plate carrée texture. As in glTF and in USD with Y up, north is +Y, longitude 0 is +Z and
+/// 90° E is +X. So x, y, z here are y, z, x in the Moon-fixed frame.
 struct SphereMesh {
   std::vector<glm::dvec3> points;  ///< on the unit sphere, so each is its own normal
-  /// s from 180° W eastwards, t from the south pole to the north, 0 to 1; the seam appears twice, a
-  /// pole once for each facet there
+  /// Texture coordinates, 0 to 1: s from 180° W eastwards, t from the south pole northwards. Points on the seam appear
+  /// twice, a pole once for each facet there.
   std::vector<glm::dvec2> st;
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise from outside
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise as seen from outside
 };
 
 /// With 256 chords the limb is round to 7.5e-5 of the radius: a quarter of a pixel for a disc 6600 pixels wide.
 inline constexpr std::size_t sphere_rows = 128;
 
-/// Given   rows   number of facets from pole to pole, 2 to 4096; there are twice as many around
+/// Given   rows   number of facets from pole to pole, 2 to 4096; there are twice as many around the equator
 /// Throws  Error  when rows are outside their range
 SphereMesh sphere_mesh(std::size_t rows = sphere_rows);
 

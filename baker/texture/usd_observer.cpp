@@ -12,15 +12,15 @@
 namespace coppermoon::texture {
 namespace {
 
-/// Converts a Moon-fixed vector to the axes of the Moon in USD, whose north is +Y.
+/// Converts a Moon-fixed vector to the axes that the Moon has in USD, where north is +Y.
 glm::dvec3 y_up(const glm::dvec3& v) { return {v.y, v.z, v.x}; }
 
 std::string tuple(const glm::dvec3& v) {
   return fmt::format("({:.9g}, {:.9g}, {:.9g})", v.x + 0., v.y + 0., v.z + 0.);
 }
 
-/// An attribute with the first moment's value, and with time samples if it changes. Importers that ignore samples, as
-/// Blender's does for a texture's file, use the value.
+/// A USD attribute with its value at the first moment, and with time samples if it changes. The value is for importers
+/// that ignore samples, as Blender's does for the file of a texture.
 template <class Moment, class Value>
 std::string attribute(const std::string& declared, std::span<const Moment> moments,
                       const Value& value) {
@@ -33,7 +33,7 @@ std::string attribute(const std::string& declared, std::span<const Moment> momen
   return text + "        }\n";
 }
 
-/// Transform with the given axes and origin, Moon-fixed.
+/// A transform, as USD text, with the given axes and origin in the Moon-fixed frame.
 std::string transform(const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z,
                       const glm::dvec3& origin) {
   const auto row = [](const glm::dvec3& v, int last) {
@@ -43,12 +43,12 @@ std::string transform(const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3
                      row(y_up(origin), 1));
 }
 
-/// Transform for a camera or a light, both of which look along −Z.
+/// A transform, as USD text, for a camera or a light. In USD, both point along their −Z axis.
 std::string looking(const glm::dvec3& along, const glm::dvec3& up, const glm::dvec3& position) {
   return transform(glm::cross(along, up), up, -along, position);
 }
 
-constexpr double aperture = 36;  ///< across the picture, in tenths of a unit as USD counts
+constexpr double aperture = 36;  ///< width of the picture, which USD counts in tenths of a unit
 
 }  // namespace
 
@@ -95,7 +95,7 @@ std::string usd_sky(std::span<const UsdSky> skies) {
       "        token inputs:texture:format = \"latlong\"\n";
   text += attribute("asset inputs:texture:file", skies,
                     [](const UsdSky& sky) { return usd_asset(sky.file); });
-  // +Z is in the middle of the texture, -X at three quarters of its width
+  // In USD, +Z is in the middle of the texture, and -X at three quarters of its width.
   text += attribute("matrix4d xformOp:transform", skies, [](const UsdSky& sky) {
     return transform(-glm::cross(sky.north, sky.zenith), sky.zenith, sky.north, {0, 0, 0});
   });

@@ -18,7 +18,7 @@ namespace {
 
 using algebra::Error;
 
-/// XYZ of D65 white, which is illuminant 21 in the DNG specification.
+/// XYZ of D65 white. D65 is illuminant 21 in the DNG specification.
 constexpr glm::dvec3 white_xyz{0.95047, 1, 1.08883};
 
 void require_sound(const RawPhotograph& photograph) {
@@ -32,7 +32,7 @@ void require_sound(const RawPhotograph& photograph) {
                           1e-3, 1e3);
 }
 
-/// Keeps libtiff's last message.
+/// Error handler for libtiff that stores the last message.
 int keep_words(TIFF*, void* words, const char*, const char* form, std::va_list values) {
   std::array<char, 256> text{};
   std::vsnprintf(text.data(), text.size(), form, values);
@@ -42,7 +42,7 @@ int keep_words(TIFF*, void* words, const char*, const char* form, std::va_list v
 
 int pass_over(TIFF*, void*, const char*, const char*, std::va_list) { return 1; }
 
-/// A TIFF file being written.
+/// A TIFF file that is being written.
 class TiffFile {
  public:
   explicit TiffFile(const files::Handle& file) {
@@ -65,7 +65,7 @@ class TiffFile {
     if (!done) throw Error(words_.empty() ? "no room" : words_);
   }
 
-  /// Writes what is still in memory.
+  /// Writes what libtiff still holds in memory.
   void close() {
     require(TIFFFlush(file_.get()) == 1);
     file_.reset();
@@ -138,13 +138,13 @@ void set_camera(TiffFile& file, const RawPhotograph& photograph) {
   file.set(TIFFTAG_CALIBRATIONILLUMINANT1, d65);
 }
 
-/// Writes the directory of EXIF's tags.
+/// Writes the directory of EXIF tags.
 ///
 /// Returned  its offset in the file
 std::uint64_t exif_directory(TiffFile& file, const RawPhotograph& photograph,
                              const Attributes& attributes) {
   constexpr std::array<std::uint8_t, 4> version{'0', '2', '3', '1'};
-  constexpr double most = 65535;  // of 16 bits; the recommended index alone says faster speeds
+  constexpr double most = 65535;  // largest speed in 16 bits; the index below holds more
   constexpr int recommended_index = 2;
   file.require(TIFFCreateEXIFDirectory(file.get()) == 0);
   file.set(EXIFTAG_EXIFVERSION, version.data());

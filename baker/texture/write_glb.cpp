@@ -31,7 +31,7 @@ static_assert(std::endian::native == std::endian::little, "numbers are copied as
 enum Component { unsigned_short = 5123, floating = 5126 };
 enum Target { array = 34962, element_array = 34963 };
 
-/// Texels divided by the brightest value, coded as sRGB.
+/// Divides texels by the brightest value and codes them as sRGB.
 ///
 /// Source  IEC 61966-2-1
 Image coded(Image image, double brightest) {
@@ -43,7 +43,7 @@ Image coded(Image image, double brightest) {
   return image;
 }
 
-/// Luminance of the brightest channel in any texel; 1 if all are dark.
+/// The largest value of any channel in any texel; 1 if all texels are dark.
 double brightest_in(const fs::path& path, const Image& image) {
   double most = 0;
   for (const float value : image.values) {
@@ -61,7 +61,7 @@ void append(std::string& bytes, std::initializer_list<Number> numbers) {
 
 void pad(std::string& bytes, char with) { bytes.resize((bytes.size() + 3) / 4 * 4, with); }
 
-/// The binary chunk, with a glTF buffer view for each item in it.
+/// The binary chunk of a .glb file, with a glTF buffer view for each item in the chunk.
 struct Buffer {
   std::string bytes{};
   json views = json::array();
@@ -80,7 +80,7 @@ json accessor(int view, Component component, std::size_t count, const char* type
   return {{"bufferView", view}, {"componentType", component}, {"count", count}, {"type", type}};
 }
 
-/// Adds points (which are their own normals), texture coordinates and triangles, with one accessor each.
+/// Adds the sphere's points (which are also its normals), texture coordinates and triangles; returns their accessors.
 json add_sphere(Buffer& buffer) {
   const auto mesh = sphere_mesh();
   std::string points, places, triangles;
@@ -115,8 +115,8 @@ json only(json item) {
   return list;
 }
 
-/// Material that shows a picture as it is. If a luminance [cd/m²] is given, the material is black and emits the picture
-/// times that luminance.
+/// glTF material that shows a picture as it is. If a luminance [cd/m²] is given, the material is black and emits the
+/// picture times that luminance.
 json material(std::optional<double> luminance) {
   const json picture{{"index", 0}};
   json ground =

@@ -48,9 +48,9 @@ void require_format(const std::filesystem::path& path, const Layout& layout,
                             layout.channels.size()));
 }
 
-/// Sets date and exposure as EXIF attributes.
+/// Sets date and exposure as EXIF attributes, and no others.
 void set_exposure(OIIO::ImageSpec& spec, const Attributes& attributes) {
-  spec.attribute("DateTime", "");  // else it would be the current time
+  spec.attribute("DateTime", "");  // otherwise OpenImageIO writes the current time
   for (const auto& name : {"capDate", "expTime", "aperture"})
     if (const auto found = attributes.find(name); found != attributes.end())
       set_attribute(spec, found->first, found->second);
@@ -113,13 +113,13 @@ void write_picture(const std::filesystem::path& path, const Layout& layout, cons
   if (is_png(format)) {
     for (const auto& [name, value] : attributes)
       if (name != "colorInteropID") spec.attribute(oiio_name(name), as_text(value));  // sRGB now
-    // a third of the usual time, 8 % more bytes: each row as its differences from the one above
+    // This takes a third of the usual time for 8 % more bytes. Each row is stored as differences from the row above.
     spec.attribute("png:compressionLevel", 4);
     spec.attribute("png:filter", 0x20);
   } else {
     set_exposure(spec, attributes);
     if (const float time_s = spec.get_float_attribute("ExposureTime"); time_s > 0 && time_s < 1)
-      // OpenImageIO 2.4 turns 1/2, 1/4 and so on into a fraction without a denominator
+      // OpenImageIO 2.4 writes 1/2, 1/4 and so on as a fraction without a denominator, so the number is made inexact.
       spec.attribute("ExposureTime", std::nextafter(time_s, 1.F));
     spec.attribute("compression", "jpeg:95");
     spec.attribute("jpeg:subsampling", "4:4:4");
@@ -137,7 +137,7 @@ void write_png(const std::filesystem::path& path, const Image& image, int bits,
   const PictureFormat format{"png", bits};
   require_format(path, layout, format);
   const auto rows = rows_of(image);
-  Source{path, layout, rows, {0, 1}}.require_all(image.values);  // before a file is begun
+  Source{path, layout, rows, {0, 1}}.require_all(image.values);  // before the file is created
   write_picture(path, layout, rows, format, attributes);
 }
 

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr const char *shader_file = "data/shaders/planet.frag",
                      *script_file = "scripts/startup.ssc";
 
-// Stellarium compiles the shader several times, with IS_MOON for the Moon and IS_OBJ for bodies that are not spheres.
+// Stellarium compiles this shader several times, with IS_MOON for the Moon and IS_OBJ for bodies that are not spheres.
 constexpr std::string_view shader = R"(// The light of the Moon is in its texture.
 varying mediump vec2 texc;
 uniform sampler2D tex;
@@ -48,7 +48,7 @@ void main() {
 
 std::string script_of(const StellariumSight& sight) {
   auto utc = almanac::utc_text(sight.when);
-  utc.pop_back();  // the Z
+  utc.pop_back();  // removes the Z
   const auto& at = sight.observer;
   return fmt::format(R"(// The eclipsed Moon of coppermoon. Its light is that of this moment alone.
 core.setObserverLocation({:.6f}, {:.6f}, {:.0f}, 0, "coppermoon", "Earth");

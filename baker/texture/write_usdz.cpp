@@ -24,7 +24,7 @@ void append(std::string& bytes, Number number) {
   bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
-/// A ZIP archive of uncompressed files, each starting at a multiple of 64 bytes.
+/// A ZIP archive of uncompressed files, the contents of each starting at a multiple of 64 bytes.
 class Archive {
  public:
   void add(const std::string& name, const std::string& content) {
@@ -37,7 +37,7 @@ class Archive {
     bytes_ += shared;
     append<std::uint16_t>(bytes_, extra_head + padding);
     bytes_ += name;
-    append<std::uint16_t>(bytes_, 0x1986);  // padding field, with the name USD's writer uses
+    append<std::uint16_t>(bytes_, 0x1986);  // identifier of the padding field in USD's own writer
     append<std::uint16_t>(bytes_, padding);
     bytes_.append(padding, '\0');
     bytes_ += content;
@@ -45,8 +45,8 @@ class Archive {
     append<std::uint16_t>(directory_, version);
     directory_ += shared;
     append<std::uint16_t>(directory_, 0);  // no extra field
-    append<std::uint16_t>(directory_, 0);  // nor comment
-    append<std::uint16_t>(directory_, 0);  // on the first disk
+    append<std::uint16_t>(directory_, 0);  // no comment
+    append<std::uint16_t>(directory_, 0);  // starts on disk 0
     append<std::uint16_t>(directory_, 0);
     append<std::uint32_t>(directory_, 0);
     append<std::uint32_t>(directory_, offset);
@@ -57,7 +57,7 @@ class Archive {
   std::string whole() const {
     auto bytes = bytes_ + directory_;
     append<std::uint32_t>(bytes, 0x06054b50);
-    append<std::uint32_t>(bytes, 0);  // one disk
+    append<std::uint32_t>(bytes, 0);  // two disk numbers, both 0
     append<std::uint16_t>(bytes, files_);
     append<std::uint16_t>(bytes, files_);
     append(bytes, static_cast<std::uint32_t>(directory_.size()));
@@ -67,17 +67,17 @@ class Archive {
   }
 
  private:
-  static constexpr std::uint16_t version = 10, first_day_of_zip = 0x0021;  // 1980-01-01
+  static constexpr std::uint16_t version = 10, first_day_of_zip = 0x0021;  // first day: 1980-01-01
 
-  /// The fields that a file's header and its directory entry share, up to the length of the file's name.
+  /// The fields, up to the length of the file's name, that are the same in a file's header and in its directory entry.
   static std::string facts_of(const std::string& name, const std::string& content) {
     const auto size = static_cast<std::uint32_t>(content.size());
     const auto sum = ::crc32_z(0, reinterpret_cast<const Bytef*>(content.data()), content.size());
     std::string facts;
     append(facts, version);
     append<std::uint16_t>(facts, 0);  // no flags
-    append<std::uint16_t>(facts, 0);  // stored
-    append<std::uint16_t>(facts, 0);  // at midnight
+    append<std::uint16_t>(facts, 0);  // not compressed
+    append<std::uint16_t>(facts, 0);  // time: midnight
     append(facts, first_day_of_zip);
     append(facts, static_cast<std::uint32_t>(sum));
     append(facts, size);

@@ -29,15 +29,16 @@ namespace {
 struct Options {
   std::vector<std::string> photos, outputs;
   std::string instants, times, isos, magnitudes;
-  std::string zone;  ///< of the cameras' clocks; empty: as the headers say, else unknown
+  std::string zone;  ///< time zone of the cameras' clocks; if empty, taken from the headers
   std::optional<double> clock_error_min;
   texture::Coding coding = texture::Coding::as_file_says;
   std::optional<double> f_number;
-  uses::FitRequest request;  ///< all but photographs and magnitudes
+  uses::FitRequest request;  ///< complete except for photographs and magnitudes
   bool despite_misfit = false, misfits = false, json = false;
 };
 
-/// Value for the i-th photograph, from a list with one value for each or one for all; nothing if the list is empty.
+/// Value for the i-th photograph, from a list that holds one value for each photograph or a single value for all.
+/// Absent if the list is empty.
 template <class Value>
 std::optional<Value> value_for(const Options& options, const std::vector<Value>& values,
                                std::size_t i, const char* what) {
@@ -49,7 +50,7 @@ std::optional<Value> value_for(const Options& options, const std::vector<Value>&
   return values[values.size() == 1 ? 0 : i];
 }
 
-/// Number for the i-th photograph, from a text that lists numbers with commas.
+/// Number for the i-th photograph, from a text such as "0.5,1,2" with a number for each photograph or one for all.
 std::optional<double> number_for(const Options& options, const std::string& list, std::size_t i,
                                  const char* what) {
   const auto numbers = algebra::numbers_in(list);
@@ -58,22 +59,23 @@ std::optional<double> number_for(const Options& options, const std::string& list
   return value_for(options, *numbers, i, what);
 }
 
-/// Request for the fit, and what only the command line knows about it.
+/// Request for the fit, with details of the photographs that only the report needs.
 struct Input {
   uses::FitRequest request;
   std::vector<std::string> instants;
-  std::vector<std::string> zones{};  ///< [photograph] clock's zone, "" if unknown; may be empty
-  std::vector<uses::ReadPhotograph> undated{};  ///< left out because their headers have no date
+  std::vector<std::string> zones{};  ///< time zones of the photographs; "" if unknown
+  std::vector<uses::ReadPhotograph> undated{};  ///< photographs without a date in their headers
 };
 
 constexpr const char* from_header = "from-header";
 
-/// Time zone of a camera's clock as the option says, else as the header says; empty if unknown.
+/// Time zone of a camera's clock: the one given as an option, else the one in the header; empty if unknown.
 std::string zone_of(const uses::HeaderClock& clock, const Options& options) {
   return options.zone.empty() ? clock.offset.value_or("") : options.zone;
 }
 
-/// Instant in UTC by a camera's clock, whose zone is the clock's own, else that of the place, else UTC.
+/// Time of a photograph in UTC according to the camera's clock. If the clock's time zone is unknown, it is taken to be
+/// that of the observer's place, or UTC if there is no observer.
 std::string instant_by(const uses::HeaderClock& clock, const Options& options) {
   const auto zone = zone_of(clock, options);
   if (zone.starts_with('+') || zone.starts_with('-')) return clock.local + zone;
@@ -83,7 +85,7 @@ std::string instant_by(const uses::HeaderClock& clock, const Options& options) {
                        : almanac::utc_text(uses::instant_of_local(clock.local, named));
 }
 
-/// Adds the i-th photograph, taken at an instant.
+/// Adds the i-th photograph to the request, with the time at which it was taken.
 void add_photograph(const Options& options, std::size_t i, const std::string& instant,
                     Input& input) {
   input.request.photographs.push_back({.file = options.photos[i],
@@ -95,7 +97,7 @@ void add_photograph(const Options& options, std::size_t i, const std::string& in
   input.instants.push_back(instant);
 }
 
-/// Warns that a header's offset from UTC cannot be read, if it would have been used.
+/// Warns if the offset from UTC in a photograph's header is needed but cannot be read.
 void warn_of_offset(const Options& options, const std::string& photo,
                     const uses::HeaderClock& clock) {
   if (options.zone.empty() && !clock.unread.empty())
@@ -105,7 +107,7 @@ void warn_of_offset(const Options& options, const std::string& photo,
                one_line(photo), one_line(clock.unread));
 }
 
-/// Adds photographs taken at the times in their headers. Leaves out those without a date, unless no other is left.
+/// Adds photographs with the times in their headers. Those without a date are left out. Throws if none has a date.
 void add_by_headers(const Options& options, Input& input) {
   for (std::size_t i = 0; i < options.photos.size(); ++i) {
     std::optional<uses::HeaderClock> clock;
@@ -147,7 +149,7 @@ Input input_of(const Options& options) {
   return input;
 }
 
-/// Adds what only the command line knows: moments as given, time zones of the clocks, photographs without a date.
+/// Completes a fit's report with times as the user gave them, time zones of the clocks, and photographs without a date.
 void add_told(const Input& input, uses::FitReport& found) {
   for (std::size_t i = 0; i < input.instants.size(); ++i)
     found.photographs[i].instant = input.instants[i];

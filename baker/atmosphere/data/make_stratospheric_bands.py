@@ -7,16 +7,16 @@ Usage: make_stratospheric_bands.py FOLDER [stratospheric_bands.csv] [stratospher
 FOLDER holds these tables, as CSV with lines of `#` before the header:
   glossac_v1_saod1020_bands_monthly_1979_2016.csv  year,month,b90S-60S,...,b60N-90N,global_80S_80N: optical depth at
       1020 nm (GloSSAC 1; Thomason et al. 2018, Earth Syst. Sci. Data 10, 469)
-  global_monthly_glossac_1979_2024_igcc_plot.csv   year,month,saod_550nm: global mean (GloSSAC 2.23, by way of the
+  global_monthly_glossac_1979_2024_igcc_plot.csv   year,month,saod_550nm: global mean (GloSSAC 2.23, through the
       Indicators of Global Climate Change)
-  global_monthly_saod_2013_2025_igcc_plot.csv      year,month,...,omps_v11_scaled_550nm: the same from OMPS-LP
-  eva_h_shapefunctions.csv                         lat,z_km,box1,...,box8: extinction over the box's mean optical depth
+  global_monthly_saod_2013_2025_igcc_plot.csv      year,month,...,omps_v11_scaled_550nm: global mean from OMPS-LP
+  eva_h_shapefunctions.csv                         lat,z_km,box1,...,box8: extinction / mean optical depth of the box
   msvolso2l4_v4_explosive_1979_2024.csv            volcano,year,month,day,lat,height_km,so2_kt,vei (Carn, MSVOLSO2L4)
 
-Measured: the bands' optical depths to 2016, the global mean to 2024. A model has the rest: the eight boxes of EVA_H
-(Aubry et al. 2020, J. Geophys. Res. 125, e2019JD031303, with the figures of its version 2) into which the eruptions
-put their sulphur dioxide say at which heights, and from 2017 on in which bands, the aerosol is that exceeds the
-background. Hunga (January 2022) stands apart: what the global mean has beyond all others, in bands as published.
+The bands' optical depths are measured until 2016, the global mean until 2024. The rest comes from EVA_H (Aubry et al.
+2020, J. Geophys. Res. 125, e2019JD031303, version 2). Eruptions put sulphur dioxide into the eight boxes of this model,
+which tells the heights of the aerosol that exceeds the background, and from 2017 on also its bands. Hunga (January
+2022) is treated apart: it accounts for the rest of the global mean, divided among the bands as published.
 """
 import csv
 import sys
@@ -30,7 +30,7 @@ LAYERS = [(6, 7), (3, 4, 5), (0, 1, 2)]  # boxes below 16 km, from 16 to 20 km, 
 FIRST, LAST = 1979, 2025
 MONTHS = (LAST - FIRST + 1) * 12
 
-# EVA_H, version 2: months, TgS
+# Parameters of EVA_H, version 2, in months and Tg of sulphur.
 LOSS = np.array([1.94, 18.8, 1.94, 2.68, 57.7, 2.68, 4.5, 4.5])
 MIXING = 9.2
 DEPTH_PER_TG = 0.0229
@@ -42,7 +42,8 @@ BACKGROUND = 0.0042  # global mean at 550 nm of 1999 to 2004
 QUIET_EXPONENT, HUNGA_EXPONENT = 1.65, 0.3  # Angstrom's, 550 to 1020 nm; Hunga's for an effective radius of 0.4 um
 OMPS_TOO_HIGH = 0.774  # GloSSAC over OMPS-LP, June to December 2024
 
-# Hunga's share by band over its global mean, by judgement (a third): 35 S to 20 N to June 2022, beyond from then on
+# Ratio of Hunga's optical depth in each band to its global mean, judged to within a third. The aerosol lay between 35 S
+# and 20 N until June 2022, and spread further later.
 HUNGA = [(2022.04, (0, 0.1, 3.2, 0.7, 0, 0)), (2022.37, (0, 0.8, 2.5, 0.9, 0, 0)),
          (2022.85, (0.6, 2.2, 1.5, 0.7, 0.15, 0)), (2023.5, (1.4, 1.8, 1.0, 0.7, 0.5, 0.4)),
          (2024.5, (1.3, 1.3, 0.9, 0.8, 0.8, 0.8))]
@@ -77,7 +78,7 @@ def settling_and_mixing():
 
 
 def share(low, high, middle, width):
-    """Part of a Gaussian exp(-((x - middle) / width)^2) from low to high."""
+    """The fraction of a Gaussian exp(-((x - middle) / width)^2) that lies between low and high."""
     x = np.linspace(middle - 4 * width, middle + 4 * width, 4001)
     y = np.exp(-((x - middle) / width) ** 2)
     return y[(x >= low) & (x < high)].sum() / y.sum()
@@ -95,7 +96,7 @@ def injected(eruption):
 
 
 def sulphate(eruptions):
-    """Sulphate of the eruptions [month][box, TgS], mean of each month."""
+    """Monthly means of the sulphate from eruptions, [month][box, TgS]."""
     steps = 50
     c, mass, months = settling_and_mixing(), np.zeros(8), np.zeros((MONTHS, 8))
     plumes = []
@@ -114,7 +115,7 @@ def sulphate(eruptions):
 
 
 def by_band(shapes):
-    """Optical depth of a box's unit [band][box], and its profile [band][box][height, 1/km]; heights [km]."""
+    """Optical depths that a mean of 1 in a box gives, [band][box]; profiles [band][box][height, 1/km]; heights [km]."""
     latitudes, heights = (sorted({float(row[key]) for row in shapes}) for key in ("lat", "z_km"))
     extinction = np.zeros((len(BANDS), 8, len(heights)))
     weights = np.zeros(len(BANDS))
@@ -131,7 +132,7 @@ def by_band(shapes):
 
 
 def in_layers(depth_of_boxes, mass):
-    """Optical depths [band][layer] of masses by box."""
+    """Optical depths [band][layer] that follow from the mass of sulphate in each box."""
     return np.stack([sum(depth_of_boxes[:, box] * mass[box] for box in layer) for layer in LAYERS], axis=1)
 
 

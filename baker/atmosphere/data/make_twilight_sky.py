@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Makes twilight_sky.csv: the light of a clear sky at twilight, scattered any number of times, in round air.
+"""Makes twilight_sky.csv: the light of a clear sky at twilight, scattered any number of times by spherical air.
 
-Usage: make_twilight_sky.py [RUNS [twilight_sky.csv]]     else 16 runs: a quarter of an hour of a processor
+Usage: make_twilight_sky.py [RUNS [twilight_sky.csv]]     16 runs, the default, take one processor a quarter of an hour
 
 Backward Monte Carlo. Light scattered once is integrated along the line of sight. For all further orders, paths go from
-the eye through the air, their directions denser about the horizon; each place at which one scatters sees the Sun in every position
-of the table, so that all positions share the noise of the same paths. What noise is left, above 1 % with the Sun below -6 degrees, is smoothed
-in proportion to it. Air of US 1976, ozone and its cross-section from the tables beside this
-one; aerosol of scale height 1.5 km, Angstrom exponent 1.3, Henyey-Greenstein's g 0.7, single-scattering albedo 0.95;
-Rayleigh's optical depth by Hansen & Travis (1974), unpolarised; ground of albedo 0.2; no refraction.
+the eye through the air, with more directions near the horizon. Wherever a path scatters, sunlight arrives from every
+position of the Sun in the table, so that all positions share the noise of the same paths. The remaining noise, above
+1 % with the Sun below -6 degrees, is smoothed in proportion to its size. The air is that of US 1976; ozone and its
+cross-section come from the tables beside this one. The aerosol has a scale height of 1.5 km, an Angstrom exponent of
+1.3, Henyey-Greenstein's g of 0.7 and a single-scattering albedo of 0.95. Rayleigh's optical depth is that of Hansen &
+Travis (1974), unpolarised; the ground has an albedo of 0.2; there is no refraction.
 """
 import csv
 import pathlib
@@ -38,13 +39,13 @@ def table(path):
 
 
 def phases(cosine):
-    """Of molecules and of aerosol [1/sr]."""
+    """Phase functions of molecules and of aerosol [1/sr]."""
     return (0.75 * (1 + cosine**2) / (4 * np.pi),
             (1 - FORWARD**2) / (1 + FORWARD**2 - 2 * FORWARD * cosine)**1.5 / (4 * np.pi))
 
 
 class Air:
-    """Molecules, ozone and aerosol: profiles as shares of the column a kilometre, and vertical optical depths."""
+    """Profiles of molecules, ozone and aerosol (shares of the column per kilometre), and vertical optical depths."""
 
     def __init__(self, aerosol=0.1, ozone_du=300., eye_km=0.):
         z = np.concatenate([np.arange(0, 12, .25), np.arange(12, 40, .5), np.arange(40, TOP_KM + .1, 1)])
@@ -77,7 +78,7 @@ class Air:
         return np.exp(self.fine[:, i] * (1 - (x - i)) + self.fine[:, i + 1] * (x - i))
 
     def make_columns(self):
-        """Logarithms of the amounts from a height to space, by the angle above the horizon seen from there."""
+        """Logarithms of the amounts of air on rays to space, by height and by angle above the horizon seen there."""
         self.heights, self.angles = 101, 181
         height, above = np.meshgrid(TOP_KM * np.linspace(0, 1, self.heights)**2, np.pi * np.linspace(0, 1, self.angles)**2, indexing="ij")
         radius = EARTH_KM + height
@@ -94,7 +95,7 @@ class Air:
         self.columns = np.log(np.maximum(amounts, 1e-12)).astype(np.float32)
 
     def sunlight(self, places, suns):
-        """Transmittance [place, Sun, wavelength] from the Sun to places [km], and the Sun's cosines from their zeniths."""
+        """Transmittance [place, Sun, wavelength] from the Sun to places [km]; cosines of the Sun's zenith angles."""
         radius = np.linalg.norm(places, axis=1)
         cosine = np.clip((places / radius[:, None]) @ suns.T, -1, 1)
         height = np.clip(radius - EARTH_KM, 0, TOP_KM)
@@ -114,7 +115,8 @@ class Air:
 
 
 def marched(air, start, towards, steps):
-    """Segments of rays to the ground or the top, finest at the lowest place: edges and lengths [km], amounts, whether they end on the ground."""
+    """Segments of rays down to the ground or up to the top of the air, finest at the lowest point: their edges, middles
+    and lengths [km], densities and amounts of air in them, whether the ray ends on the ground, and the ray's length."""
     along, square = (start * towards).sum(1), (start * start).sum(1)
     root = along**2 - square + EARTH_KM**2
     grounded = (root > 0) & (along < 0)
@@ -134,7 +136,7 @@ def marched(air, start, towards, steps):
 
 
 def across(axis):
-    """Two directions across axes."""
+    """Two unit vectors at right angles to each axis and to each other."""
     other = np.where(abs(axis[:, :1]) < 0.9, np.array([[1., 0, 0]]), np.array([[0, 1., 0]]))
     east = np.cross(axis, other)
     east /= np.linalg.norm(east, axis=1)[:, None]
@@ -148,7 +150,7 @@ def turned(axis, cosine, around):
 
 
 def next_directions(random, up, towards, grounded):
-    """Even, dense about the horizon, or about the old direction, as aerosol scatters; and their densities [1/sr]."""
+    """Draws directions: uniform, dense near the horizon, or as aerosol scatters. Returns their densities [1/sr] too."""
     chosen, around, x = random.random(len(up)), 2 * np.pi * random.random(len(up)), random.random(len(up))
     width = 0.12  # Cauchy's, of the sine of altitude
     most = np.arctan(1 / width)
@@ -165,7 +167,7 @@ def next_directions(random, up, towards, grounded):
 
 
 def radiance(air, altitude_deg, seed, paths=16000):
-    """Of the sky over the Sun's irradiance [Sun's altitude, azimuth, wavelength], in 1/sr."""
+    """Radiance of the sky divided by the Sun's irradiance [1/sr]: [Sun's altitude, azimuth, wavelength]."""
     random = np.random.default_rng(seed)
     s, b, a = np.radians(SUNS)[:, None], np.radians(AZIMUTHS)[None], np.radians(altitude_deg)
     suns = np.stack([np.cos(s) * np.cos(b), np.cos(s) * np.sin(b), np.sin(s) * np.ones_like(b)], -1).reshape(-1, 3)
@@ -233,7 +235,7 @@ def radiance(air, altitude_deg, seed, paths=16000):
 
 
 def channels(light):
-    """Linear Rec.709 [cd/m2] of radiances over the Sun's irradiance, each channel above 0."""
+    """Linear Rec.709 [cd/m2] from radiances divided by the Sun's irradiance. Each channel is kept above 0."""
     observer, sun = table("../../../colour/data/cie_1931_observer.csv"), table("../../photons/data/solar_irradiance_e490.csv")
     nm = np.arange(380, 781, 1.)
     weights = np.stack([np.interp(nm, observer[:, 0], observer[:, k]) for k in (1, 2, 3)], 1)
@@ -247,7 +249,7 @@ def channels(light):
 
 
 def bends(x):
-    """Matrix of second differences at unequal steps."""
+    """Matrix that gives the second differences of values at unequally spaced x."""
     matrix = np.zeros((len(x) - 2, len(x)))
     for i in range(len(x) - 2):
         a, b = x[i + 1] - x[i], x[i + 2] - x[i + 1]
@@ -256,7 +258,7 @@ def bends(x):
 
 
 def smoothed(values, noise):
-    """Logarithms [altitude, Sun] of standard error `noise`, whose second differences are some hundredths from node to node."""
+    """Smooths logarithms [altitude, Sun] of standard error `noise` until second differences are a few hundredths."""
     x = np.cumsum(np.append(0, np.diff(np.log(ALTITUDES + 1.5))))
     down, along = bends(x / np.diff(x).mean()), bends(SUNS)
     stiff = (np.kron(down.T @ down, np.eye(len(SUNS))) / 0.04**2 + np.kron(np.eye(len(ALTITUDES)), along.T @ along) / 0.02**2)
@@ -264,7 +266,7 @@ def smoothed(values, noise):
 
 
 def without_noise(light, least):
-    """Mean logarithms [altitude, Sun, azimuth, channel] of runs, smooth along altitude and Sun; one in the zenith."""
+    """Smoothed mean logarithms [altitude, Sun, azimuth, channel] of runs. In the zenith all azimuths have one value."""
     mean = light.mean(0)
     noise = light.std(0, ddof=1) / mean / np.sqrt(len(light)) / np.log(10)
     noise = np.maximum(np.sqrt((noise**2).mean((2, 3))), least)
@@ -283,7 +285,7 @@ def main():
         made[name] = np.stack([[channels(radiance(Air(**air), altitude, seed)) for altitude in ALTITUDES]
                                for seed in range(runs if name == "standard" else max(runs // 4, 2))])
         print(name, flush=True)
-    # other airs as ratios to the standard one: runs of the same seeds share their noise
+    # Other airs are ratios to the standard one, because runs with the same seed share their noise.
     standard = without_noise(made["standard"], 0.0015)
     lines = ["# source: make_twilight_sky.py: backward Monte Carlo in round air, all orders of scattering",
              "# units: degrees (the Sun's geometric altitude; altitude), 1000 log10 of linear Rec.709 [cd/m2] for azimuths from the Sun's of",

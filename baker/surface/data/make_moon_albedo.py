@@ -1,19 +1,19 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Makes moon_albedo.jpg, the Moon's normal albedo, from the map of Debian 12's package stellarium-data.
+"""Makes moon_albedo.jpg, the Moon's normal albedo, from the map in Debian 12's package stellarium-data.
 
 Usage: make_moon_albedo.py [moon_4k.jpg] [moon_albedo.jpg]     needs python3-numpy and python3-openimageio
 
-The map is NASA's CGI Moon Kit of 2019, of the cameras of LRO (LROC WAC, 643, 566 and 415 nm), at 60 degrees of
-phase; the package's copyright file (4.4) names USGS Astrogeology and Clementine, and says that it is in the public
-domain. Its codes v, luminance of red, green and blue, become normal albedo as docs/textures.md says for
-cgi-moon-kit-2019:
+The map is NASA's CGI Moon Kit of 2019, made from images by LRO's cameras (LROC WAC, 643, 566 and 415 nm) at a phase
+of 60 degrees. The package's copyright file (4.4) names USGS Astrogeology and Clementine, and says that it is in the
+public domain. Its codes v, the luminance of red, green and blue, are converted to normal albedo as docs/textures.md
+describes for cgi-moon-kit-2019:
 
     A = (0.16 + 0.24 v)^(2.8/1.56)
 
-its contrast beyond latitude 64 degrees is restored as surface::with_polar_contrast does, and it is coded again by
-that expression, as the grey of a JPEG whose quantisation is the package's, so that little is lost a second time. The
-error of storing is printed.
+The contrast beyond latitude 64 degrees is restored as in surface::with_polar_contrast. The result is coded again by
+the same expression and stored as a grey JPEG with the quantisation of the package's file, so that little is lost a
+second time. The script prints the error that storing causes.
 """
 import sys
 
@@ -24,12 +24,12 @@ QUALITY = 92  # of the package's JPEG
 
 
 def albedo_of(codes):
-    """Normal albedo, up to a factor, as in surface::kit_2019_albedo."""
+    """Normal albedo, up to a constant factor, as in surface::kit_2019_albedo."""
     return (0.16 + 0.24 * codes) ** (2.8 / 1.56)
 
 
 def read(path):
-    """Normal albedo from the kit's map, rows x columns."""
+    """Reads the kit's map and converts it to normal albedo, rows x columns."""
     return albedo_of(oiio.ImageBuf(path).get_pixels(oiio.FLOAT).astype(float) @ [0.2126, 0.7152, 0.0722])
 
 
@@ -43,7 +43,7 @@ def with_polar_contrast(albedo):
 
 
 def store(albedo, path):
-    """Writes an albedo as codes; returns the albedo read back from the file."""
+    """Writes an albedo map to an image file, and returns the map that is read back from it."""
     codes = numpy.clip((albedo ** (1.56 / 2.8) - 0.16) / 0.24, 0, 1)
     image = oiio.ImageBuf(oiio.ImageSpec(albedo.shape[1], albedo.shape[0], 1, oiio.UINT8))
     image.specmod().attribute("Compression", f"jpeg:{QUALITY}")

@@ -20,11 +20,11 @@ namespace {
 
 using algebra::Error;
 
-/// Takes the bytes that OpenImageIO writes, and keeps the reason if the system refuses them.
+/// Writes the bytes from OpenImageIO to a file, and remembers the reason if the system refuses them.
 class FileSink : public OIIO::Filesystem::IOProxy {
  public:
   explicit FileSink(const files::Handle& file) : IOProxy("", Write), file_(file) {}
-  /// Not "file", which OpenImageIO's JPEG writer takes for an IOFile of its own.
+  /// This must not be "file", because OpenImageIO's JPEG writer would then take this object for its own IOFile.
   const char* proxytype() const override { return "handle"; }
   std::size_t write(const void* bytes, std::size_t size) override {
     const auto written = pwrite(bytes, size, m_pos);
@@ -54,7 +54,7 @@ std::string one_line(std::string text) {
   return text.empty() ? "unknown reason" : text;
 }
 
-/// Closes an output and fetches its error in any case, or OpenImageIO would print it at exit.
+/// Closes an output and returns its error. The error must always be fetched, or OpenImageIO prints it at exit.
 std::string closing_words(OIIO::ImageOutput& output, bool written) {
   const bool closed = output.close();
   const auto reason = output.geterror() + OIIO::geterror();
@@ -142,7 +142,7 @@ OIIO::ImageSpec exr_spec(const Layout& layout, ExrType type, const Attributes& a
   auto spec = spec_of(layout, type == ExrType::half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT,
                       attributes);
   if (!attributes.contains("capDate"))
-    spec.attribute("DateTime", "");  // else it would be the current time
+    spec.attribute("DateTime", "");  // otherwise OpenImageIO writes the current time
   spec.attribute(seal_attribute, unsealed);
   return spec;
 }
@@ -167,7 +167,7 @@ void write_encoded(const std::filesystem::path& path, const char* format,
     FileSink sink(file);
     auto output = OIIO::ImageOutput::create(format);
     if (!output) fail(one_line(OIIO::geterror()));
-    const bool reads_back = std::string_view(format) == "tiff";  // needs the file's name instead
+    const bool reads_back = std::string_view(format) == "tiff";  // such files are written by name
     if (!reads_back) output->set_ioproxy(&sink);
     std::string reason;
     try {
@@ -178,7 +178,7 @@ void write_encoded(const std::filesystem::path& path, const char* format,
       closing_words(*output, false);
       throw;
     }
-    output.reset();  // this, not close(), writes the end of a mip-mapped file
+    output.reset();  // the destructor, not close(), writes the end of a mip-mapped file
     if (sink.refusal()) reason = sink.refusal().message();
     if (!reason.empty()) fail(reason);
     if (std::string_view(format) == "openexr") seal(file, path);

@@ -12,20 +12,20 @@
 
 namespace coppermoon::texture {
 
-/// Allowed range for a file's values.
+/// Range in which a file's values must lie.
 struct Limits {
   float lowest, highest;
 
   bool hold(float value) const { return value >= lowest && value <= highest; }
 };
 
-/// Some rows on their way into a file.
+/// A run of rows on their way into a file.
 struct Band {
   std::size_t first_row = 0;
   std::vector<float> values{};
 };
 
-/// An image to be encoded: rows are made, checked and handed on, a few at a time.
+/// An image to be encoded. Its rows are made, checked and passed on, a few at a time.
 struct Source {
   const std::filesystem::path& path;
   const Layout& layout;
@@ -34,15 +34,15 @@ struct Source {
 
   std::size_t row_length() const { return layout.width * layout.channels.size(); }
 
-  /// Has all rows made, in order, some multiple of 64 at a time. The next are made while `act` works
-  /// on the previous ones.
+  /// Makes all rows in order, in bands of a multiple of 64 rows, and calls `act` with each band. The next band is made
+  /// while `act` works on the previous one.
   ///
-  /// Throws  Error  when a value is outside the limits, with its place and channel
+  /// Throws  Error  when a value is outside the limits; the message gives its place and channel
   void for_each_band(const std::function<void(const Band&)>& act) const;
 
-  /// Checks rows that are already made.
+  /// Checks that the values of rows are within the limits.
   ///
-  /// Throws  Error  as for_each_band
+  /// Throws  Error  as for for_each_band
   void require_all(std::span<const float> values, std::size_t first_row = 0) const;
 
  private:
@@ -57,7 +57,8 @@ void require_layout(const std::filesystem::path& path, const Layout& layout);
 /// OpenImageIO's description of an image.
 OIIO::ImageSpec spec_of(const Layout& layout, OIIO::TypeDesc type, const Attributes& attributes);
 
-/// OpenImageIO's description of an OpenEXR file, not yet sealed. If `capDate` is absent, that attribute is left empty.
+/// OpenImageIO's description of an OpenEXR file that is not sealed yet. If `capDate` is absent, that attribute is
+/// empty.
 OIIO::ImageSpec exr_spec(const Layout& layout, ExrType type, const Attributes& attributes);
 
 /// Largest value that a texel of the type can hold.
@@ -65,15 +66,16 @@ float highest_of(ExrType type);
 
 /// Writes all rows of an image to an open output.
 ///
-/// Returned  whether the output accepted them
+/// Returned  whether the output accepted all of them
 bool write_scanlines(OIIO::ImageOutput& output, const Source& source);
 
-/// Has OpenImageIO encode a file, whole or not at all; an OpenEXR file is sealed.
+/// Has OpenImageIO encode a file, whole or not at all. An OpenEXR file is also sealed.
 ///
-/// Given   format  OpenImageIO's name for it
-///         encode  opens the output it is given and returns whether all was written; its second argument is the name
-///                 of an open file, for formats that OpenImageIO writes only by name (otherwise any name will do)
-/// Throws  Error   when the file cannot be written, with the reason
+/// Given   format  the format by OpenImageIO's name
+///         encode  opens the output that it is given and returns whether everything was written. Its second argument is
+///                 the name of an open file, for formats that OpenImageIO writes only by name; for others, any name
+///                 will do
+/// Throws  Error   when the file cannot be written; the message gives the reason
 void write_encoded(const std::filesystem::path& path, const char* format,
                    const std::function<bool(OIIO::ImageOutput&, const std::string&)>& encode);
 

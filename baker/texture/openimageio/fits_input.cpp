@@ -30,7 +30,7 @@ void require_success(int status) {
   throw Error(text.data());
 }
 
-/// Refuses a file that does not begin like FITS: CFITSIO also unpacks compressed files, however much memory that takes.
+/// Refuses a file that does not begin like FITS, because CFITSIO would unpack any compressed file, however large.
 void require_plain(const std::string& name) {
   constexpr std::string_view sign = "SIMPLE  =";
   std::array<char, sign.size()> bytes{};
@@ -39,7 +39,7 @@ void require_plain(const std::string& name) {
     throw Error("no FITS file, which begins with SIMPLE");
 }
 
-/// A card's value; nothing if the card is absent or of another type.
+/// Value of a header card; nothing if the card is absent or has another type.
 template <class Value>
 std::optional<Value> card(fitsfile* file, int type, const char* name) {
   int status = 0;
@@ -60,7 +60,7 @@ std::optional<std::string> text_in_card(fitsfile* file, const char* name) {
   return text ? std::optional<std::string>(text->data()) : std::nullopt;
 }
 
-/// An image's layout, and the number that stands for 1.
+/// An image's layout, and the stored number that means 1 (`full`).
 struct Header {
   int bitpix = 0, width = 0, height = 0, planes = 1;
   double full = 1;
@@ -99,7 +99,7 @@ Header header_of(fitsfile* file) {
   return header;
 }
 
-/// Adds what cards say about a photograph, under EXIF's names; INSTRUME, GAIN, TIMESYS and DATAMAX have none.
+/// Adds what the header says about a photograph, under EXIF's names; INSTRUME, GAIN, TIMESYS and DATAMAX keep theirs.
 void add_cards(fitsfile* file, OIIO::ImageSpec& spec) {
   using Named = std::pair<const char*, const char*>;
   auto date = text_in_card(file, "DATE-OBS");
@@ -127,7 +127,7 @@ class FitsInput : public OIIO::ImageInput {
   bool open(const std::string& name, OIIO::ImageSpec& spec) override try {
     require_plain(name);
     int status = 0;
-    // an absolute path, as CFITSIO would take a leading ~ for a home folder; nothing else in it is special
+    // An absolute path, because CFITSIO would take a leading ~ for a home folder. Nothing else in the path is special.
     fits_open_diskfile(&file_, std::filesystem::absolute(name).c_str(), READONLY, &status);
     require_success(status);
     header_ = header_of(file_);

@@ -30,12 +30,12 @@ std::uint32_t big_endian(std::string_view bytes) {
   return value;
 }
 
-/// The beginning of a file, which contains its header.
+/// The first megabyte of a file, which contains its header.
 std::string beginning_of(const fs::path& path) { return files::beginning_of(path, 1 << 20); }
 
 int say_nothing(TIFF*, void*, const char*, const char*, std::va_list) { return 1; }
 
-/// A TIFF file's first page, for tags that OpenImageIO ignores.
+/// Reads those tags of a TIFF file's first page that OpenImageIO ignores.
 class TiffTags {
  public:
   explicit TiffTags(const fs::path& path) {
@@ -51,7 +51,7 @@ class TiffTags {
     return file_ && TIFFGetField(file_.get(), tag, values...) == 1;
   }
 
-  /// Text in a tag that libtiff does not know.
+  /// Text of a tag that libtiff does not know.
   std::optional<std::string> text(std::uint32_t tag) const {
     std::uint32_t count = 0;
     const char* found = nullptr;
@@ -63,7 +63,7 @@ class TiffTags {
   std::unique_ptr<TIFF, void (*)(TIFF*)> file_{nullptr, &TIFFClose};
 };
 
-/// The offset that GDAL's metadata say to add to a band's numbers; 0 if absent.
+/// The offset to be added to a band's numbers according to GDAL's metadata; 0 if the metadata give none.
 double gdal_offset(const std::string& metadata) {
   const auto role = metadata.find("role=\"offset\"");
   if (role == metadata.npos) return 0;
@@ -97,7 +97,7 @@ void require_rec709(const fs::path& path, const TiffTags& tags) {
       throw cannot_read(path, "PrimaryChromaticities, allowed those of Rec. 709");
 }
 
-/// Honours or refuses what only a TIFF's tags say.
+/// Honours what only the tags of a TIFF file say, or refuses the file if that is not possible.
 void heed_tiff(const fs::path& path, const OIIO::ImageSpec& spec, Storage& storage) {
   constexpr std::uint32_t dng_version = 50706, gdal_metadata = 42112, gdal_no_data = 42113;
   const int interpretation = spec.get_int_attribute("tiff:PhotometricInterpretation", 1);
@@ -115,7 +115,7 @@ void heed_tiff(const fs::path& path, const OIIO::ImageSpec& spec, Storage& stora
       throw cannot_read(path,
                         "PhotometricInterpretation = 0 (white is zero), allowed of whole "
                         "numbers of 8 and 16 bits");
-    storage.white_is_zero = sixteen;  // OpenImageIO itself inverts numbers of 8 bits
+    storage.white_is_zero = sixteen;  // OpenImageIO itself inverts 8-bit numbers
   }
   const std::uint16_t *red = nullptr, *green = nullptr, *blue = nullptr;
   if (tags.get(TIFFTAG_TRANSFERFUNCTION, &red, &green, &blue))
@@ -143,10 +143,10 @@ void refuse_curve(const fs::path& path, unsigned transfer) {
 
 using Colours = std::optional<ColourProfile>;
 
-/// A linear colour space and its identifier in files.
+/// A linear colour space and the identifier that files use for it.
 struct NamedSpace {
   std::string_view id;
-  std::array<double, 8> xy;  ///< red, green, blue, white
+  std::array<double, 8> xy;  ///< x and y of red, green, blue, white
 };
 
 constexpr std::array<NamedSpace, 7> named_spaces{
@@ -158,13 +158,13 @@ constexpr std::array<NamedSpace, 7> named_spaces{
      {"lin_adobergb_scene", {0.64, 0.33, 0.21, 0.71, 0.15, 0.06, 0.3127, 0.329}},
      {"lin_ciexyzd65_scene", {1, 0, 0, 1, 0, 0, 1. / 3, 1. / 3}}}};
 
-/// Primaries and white of a linear space; nothing for an unknown name.
+/// Primaries and white of the linear space with this identifier; nothing if it is unknown.
 std::optional<std::array<double, 8>> primaries_of(std::string_view id) {
   const auto known = std::ranges::find(named_spaces, id, &NamedSpace::id);
   return known != named_spaces.end() ? std::optional(known->xy) : std::nullopt;
 }
 
-/// Colours for code points of ITU-T H.273.
+/// Colour profile for code points of ITU-T H.273.
 Colours by_code_points(const fs::path& path, unsigned primaries, unsigned transfer) {
   refuse_curve(path, transfer);
   const auto xy = primaries_of(primaries == 9    ? "lin_rec2020_scene"
@@ -173,7 +173,7 @@ Colours by_code_points(const fs::path& path, unsigned primaries, unsigned transf
   return xy ? ColourProfile::of_primaries(*xy, {}) : std::nullopt;
 }
 
-/// Colours of a HEIC or AVIF file, whose colour box OpenImageIO ignores.
+/// Colour profile of a HEIC or AVIF file. OpenImageIO ignores the box that holds it.
 Colours heif_colours(const fs::path& path, std::size_t channels) {
   const auto bytes = beginning_of(path);
   const std::string_view all(bytes);
@@ -187,7 +187,7 @@ Colours heif_colours(const fs::path& path, std::size_t channels) {
   return ColourProfile::of_icc(all.substr(at + 8, size - 12), channels);
 }
 
-/// Finds a chunk before the pixels in a PNG; nothing if absent.
+/// Contents of a chunk before the pixels of a PNG file; nothing if there is no such chunk.
 std::optional<std::string_view> chunk_of_png(std::string_view all, std::string_view name) {
   for (std::size_t at = 8; at + 8 <= all.size();) {
     const auto size = big_endian(all.substr(at, 4));
@@ -205,7 +205,7 @@ Colours png_colours(const fs::path& path, const OIIO::ImageSpec& spec) {
     return by_code_points(path, big_endian(cicp->substr(0, 1)), big_endian(cicp->substr(1, 1)));
   const auto xy = chunk_of_png(bytes, "cHRM");
   if (!xy || xy->size() != 32 || chunk_of_png(bytes, "sRGB")) return std::nullopt;
-  std::array<double, 8> all{};  // the file has white first
+  std::array<double, 8> all{};  // white comes last here, but first in the file
   for (std::size_t i = 0; i < all.size(); ++i)
     all[(i + 6) % 8] = big_endian(xy->substr(4 * i, 4)) / 1e5;
   const std::string says = spec.get_string_attribute("oiio:ColorSpace");
@@ -215,7 +215,7 @@ Colours png_colours(const fs::path& path, const OIIO::ImageSpec& spec) {
   return ColourProfile::of_primaries(all, power);
 }
 
-/// Finds a chunk in a WebP file; nothing if absent.
+/// Contents of a chunk in a WebP file; nothing if there is no such chunk.
 std::optional<std::string_view> chunk_of_webp(std::string_view all, std::string_view name) {
   for (std::size_t at = 12; at + 8 <= all.size();) {
     std::string size_bytes(all.substr(at + 4, 4));
@@ -228,7 +228,7 @@ std::optional<std::string_view> chunk_of_webp(std::string_view all, std::string_
   return std::nullopt;
 }
 
-/// Honours a WebP file's header, which OpenImageIO ignores.
+/// Honours the orientation and the profile in a WebP file's header, which OpenImageIO ignores.
 void heed_webp(const fs::path& path, Storage& storage) {
   const auto bytes = files::bytes_of(path);
   if (auto exif = chunk_of_webp(bytes, "EXIF")) {
@@ -241,7 +241,7 @@ void heed_webp(const fs::path& path, Storage& storage) {
     storage.colours = ColourProfile::of_icc(*icc, 3);
 }
 
-/// Colours according to `colorInteropID`, or else `chromaticities`.
+/// Colour profile of an OpenEXR file according to `colorInteropID`, or else `chromaticities`.
 Colours exr_colours(const OIIO::ImageSpec& spec) {
   const std::string id = spec.get_string_attribute("colorInteropID");
   if (id == "data") return std::nullopt;
@@ -260,7 +260,7 @@ Colours exr_colours(const OIIO::ImageSpec& spec) {
 }
 
 Colours colours_of(const fs::path& path, const OIIO::ImageInput& input) {
-  constexpr int uncalibrated = 65535;  // cameras mean Adobe RGB by it
+  constexpr int uncalibrated = 65535;  // the EXIF value by which cameras mean Adobe RGB
   const auto& spec = input.spec();
   const std::size_t channels = spec.nchannels < 3 ? 1 : 3;
   const std::string_view format = input.format_name();
@@ -278,7 +278,7 @@ Colours colours_of(const fs::path& path, const OIIO::ImageInput& input) {
 Storage storage_of(const fs::path& path, const OIIO::ImageInput& input) {
   Storage storage;
   const std::string_view format = input.format_name();
-  if (format == "raw") return storage;  // LibRaw takes care of these itself
+  if (format == "raw") return storage;  // LibRaw itself handles raw files
   storage.orientation = input.spec().get_int_attribute("Orientation", 1);
   if (format == "tiff") heed_tiff(path, input.spec(), storage);
   try {

@@ -16,26 +16,26 @@
 namespace coppermoon::texture {
 namespace {
 
-/// Reads a file item by item; gives nothing past its end.
+/// Reads a file item by item, and returns nothing past its end.
 class Reader {
  public:
   explicit Reader(const std::filesystem::path& path)
       : file_(path, std::ios::binary), size_(std::filesystem::file_size(path)) {}
 
-  /// Reads a name of at most 255 letters; a longer text is not a name, nor is anything after it.
+  /// Reads a name that ends in a zero byte. It is cut off after 256 letters, which is more than any valid name has.
   std::string name() {
     std::string text;
     for (int letter = file_.get(); letter > 0 && text.size() < 256; letter = file_.get())
       text += static_cast<char>(letter);
     return text;
   }
-  /// Reads bytes as they are.
+  /// Reads bytes as text; empty if the file has fewer.
   std::string bytes(std::size_t count) {
     std::string text(count, '\0');
     if (!file_.read(text.data(), static_cast<std::streamsize>(count))) text.clear();
     return text;
   }
-  /// Reads an unsigned integer of `count` bytes.
+  /// Reads an unsigned integer of the given number of bytes.
   std::optional<std::int64_t> natural(std::size_t count, std::endian order) {
     auto text = bytes(count);
     if (text.empty()) return {};
@@ -60,7 +60,7 @@ class Reader {
   std::uintmax_t size_;
 };
 
-/// Sizes of the types with a fixed size [bytes]: OpenEXR reads that many, whatever the attribute's size field says.
+/// Sizes of attribute types with a fixed size [bytes], which OpenEXR reads whatever the attribute's size field says.
 const std::map<std::string_view, std::int64_t> fixed_sizes{
     {"box2f", 16},         {"box2i", 16},   {"chromaticities", 32},
     {"compression", 1},    {"double", 8},   {"envmap", 1},
@@ -71,7 +71,7 @@ const std::map<std::string_view, std::int64_t> fixed_sizes{
     {"v2d", 16},           {"v2f", 8},      {"v2i", 8},
     {"v3d", 24},           {"v3f", 12},     {"v3i", 12}};
 
-/// Skips channels, each a name, a pixel type and 12 bytes, and the empty name after them.
+/// Skips a list of channels, each of which is a name, a pixel type and 12 bytes, and the empty name that ends the list.
 void pass_channels(Reader& file, const std::filesystem::path& path) {
   constexpr std::int64_t whole_number = 0, half = 1, floating = 2;
   for (auto name = file.name(); file.good() && !name.empty(); name = file.name()) {
@@ -85,7 +85,7 @@ void pass_channels(Reader& file, const std::filesystem::path& path) {
   }
 }
 
-/// Whether an attribute ends where its size says, and within the file.
+/// Whether an attribute ends where its size field says, and within the file.
 bool honest(Reader& file, const std::filesystem::path& path, const std::string& type,
             std::int64_t size) {
   const std::int64_t end = file.at() + size;
@@ -125,7 +125,7 @@ void require_honest_exr(const std::filesystem::path& path, Reader& file) {
 
 void require_honest_png(const std::filesystem::path& path, Reader& file) {
   constexpr std::int64_t checksum = 4;
-  if (file.bytes(8) != "\x89PNG\r\n\x1A\n") return;  // the reader will say that it is not a PNG
+  if (file.bytes(8) != "\x89PNG\r\n\x1A\n") return;  // the reader will report that it is not a PNG
   while (const auto length = file.natural(4, std::endian::big)) {
     const auto type = file.bytes(4);
     if (type.empty() || type == "IEND") return;
@@ -134,7 +134,7 @@ void require_honest_png(const std::filesystem::path& path, Reader& file) {
   }
 }
 
-/// Skips segments up to the frame header, and checks the picture's size there.
+/// Skips segments of a JPEG file up to the frame header, and checks the size of the picture there.
 void require_honest_jpeg(const std::filesystem::path& path, Reader& file) {
   constexpr std::int64_t signature = 2, fill = 0xFF, start_of_scan = 0xDA;
   const auto next = [&](std::size_t count) {
@@ -152,7 +152,7 @@ void require_honest_jpeg(const std::filesystem::path& path, Reader& file) {
     if (alone) continue;
     const auto end = file.at() + next(2);
     if (frame) {
-      next(1);  // bits of a number
+      next(1);  // skip the number of bits
       const auto height = next(2), width = next(2), channels = next(1);
       return require_numbers(path, static_cast<double>(height * width * channels));
     }
@@ -160,7 +160,7 @@ void require_honest_jpeg(const std::filesystem::path& path, Reader& file) {
   }
 }
 
-/// Checks the screen's size, whose bytes OpenImageIO counts in an int.
+/// Checks the size of a GIF file's screen, whose bytes OpenImageIO counts in an int.
 void require_honest_gif(const std::filesystem::path& path, Reader& file) {
   constexpr std::int64_t signature = 6, channels = 4;
   file.go_to(signature);

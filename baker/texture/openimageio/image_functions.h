@@ -10,11 +10,11 @@
 
 namespace coppermoon::texture {
 
-/// All functions that need OpenImageIO. The program itself does not contain them: it loads
-/// them from a module, coppermoon_images.so, when it first calls one (image_module.cpp,
-/// loaded_images.cpp). Other programs get them from the library and do not use this.
+/// All functions that need OpenImageIO. The program does not contain them: when it first calls one, it loads them from
+/// a module, coppermoon_images.so (image_module.cpp, loaded_images.cpp). Other programs have them in the library and do
+/// not use this.
 struct ImageFunctions {
-  const char* version;  ///< the version of coppermoon that they belong to
+  const char* version;  ///< version of coppermoon to which they belong
 
   decltype(texture::read_image)* read_image;
   decltype(texture::read_channels)* read_channels;
@@ -42,10 +42,10 @@ struct ImageFunctions {
   decltype(texture::write_captions)* write_captions;
 };
 
-/// The only name that the module exports.
+/// Name of the only function that the module exports.
 inline constexpr const char* image_functions_name = "coppermoon_image_functions";
 
-/// Type of the function with that name.
+/// Type of the function image_functions_name.
 using GiveImageFunctions = const ImageFunctions*();
 
 }  // namespace coppermoon::texture

@@ -20,7 +20,7 @@ Error cannot_read(const fs::path& path, std::string_view reason) {
   return Error(fmt::format("{}: cannot be read: {}", path.string(), reason));
 }
 
-/// The first line of OpenImageIO's error message. Always fetch it, or OpenImageIO prints it at exit.
+/// The first line of OpenImageIO's error message. It must always be fetched, or OpenImageIO prints it at exit.
 std::string reason_of(OIIO::ImageInput* input) {
   auto text = input ? input->geterror() : std::string();
   const auto pending = OIIO::geterror();
@@ -31,7 +31,7 @@ std::string reason_of(OIIO::ImageInput* input) {
 
 namespace {
 
-/// Refuses a size that the file cannot hold, before any memory is allocated: a header may claim anything.
+/// Refuses an image larger than its file can hold, before memory is allocated, because a header may claim any size.
 void require_size(const fs::path& path, const OIIO::ImageInput& input) {
   const auto& spec = input.spec();
   const auto [data, display] = windows_of(input);
@@ -47,16 +47,16 @@ void require_size(const fs::path& path, const OIIO::ImageInput& input) {
   require_within(path, "numbers of a tile in a file so small", tile, most_numbers_in(path));
 }
 
-/// Bytes by which a file format is recognised, starting at a given byte.
+/// Bytes by which a file format is recognised, and their offset in the file.
 struct Sign {
   std::size_t at;
   std::string_view bytes;
   const char* format;
 };
 
-/// OpenImageIO's name for a file's format, by its first bytes or else by its name's extension. By itself,
-/// OpenImageIO would try all its other readers on a file that one refuses, even those for films and medical images.
-/// Most cameras' raw files begin like a TIFF; the extension tells them apart.
+/// OpenImageIO's name for the format of a file, found by its first bytes or else by its extension. If left to itself,
+/// OpenImageIO would try all other readers on a file that one reader refuses, even those for films and medical images.
+/// Most cameras' raw files begin like a TIFF; their extension tells them apart.
 std::string format_of(const fs::path& path) {
   using namespace std::string_view_literals;
   constexpr std::array<Sign, 19> known{{{0, "v/1\x01"sv, "openexr"},

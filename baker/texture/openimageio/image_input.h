@@ -17,33 +17,33 @@ namespace coppermoon::texture {
 
 algebra::Error cannot_read(const std::filesystem::path& path, std::string_view reason);
 
-/// The first line of OpenImageIO's error message. Always fetch it, or OpenImageIO prints it at exit.
+/// The first line of OpenImageIO's error message. It must always be fetched, or OpenImageIO prints it at exit.
 std::string reason_of(OIIO::ImageInput* input);
 
 /// Whether a file is an OpenEXR file, judged by its first bytes.
 bool has_openexr(const std::filesystem::path& path);
 
-/// Opens an image, having checked that its header is plausible.
+/// Opens an image after checking that its header is plausible.
 ///
-/// Throws  Error  as read_image
+/// Throws  Error  as for read_image
 std::unique_ptr<OIIO::ImageInput> opened(const std::filesystem::path& path);
 
-/// Whether an image is OpenEXR, so that its channel names and windows come from the file. The position of a PNG or
-/// TIFF on a page is not a window.
+/// Whether an image is OpenEXR, the only format whose channel names and windows are taken from the file. PNG and TIFF
+/// files may state a position on a page, but that is not a window.
 bool is_openexr(const OIIO::ImageInput& input);
 
-/// Where an image's texels are, and where its picture is: OpenEXR's data and display windows. For other
-/// kinds of files both are the same.
+/// OpenEXR's data window, which holds an image's texels, and its display window, which its picture fills. In other
+/// formats, both are the same.
 Windows windows_of(const OIIO::ImageInput& input);
 
-/// Some rows of an image, with all its channels.
+/// A run of rows of an image, with all its channels.
 template <class T>
 struct RowsRead {
   std::size_t first_row, rows;
   std::vector<T> values;
 };
 
-/// Reads about 64 rows at a time, in whole rows of tiles if the image is tiled, so that little memory is used.
+/// Reads an image about 64 rows at a time, to save memory, and in whole rows of tiles if it is tiled.
 template <class T>
 void for_all_rows(OIIO::ImageInput& input, const std::filesystem::path& path, const auto& act) {
   const auto spec = input.spec();
@@ -61,7 +61,7 @@ void for_all_rows(OIIO::ImageInput& input, const std::filesystem::path& path, co
                                                0, spec.nchannels, type, band.values.data())
                             : input.read_scanlines(0, 0, begin, end, 0, 0, spec.nchannels, type,
                                                    band.values.data());
-    if (!read || input.has_error())  // of TIFF and JPEG that end early it says both
+    if (!read || input.has_error())  // a TIFF or JPEG that ends early is read, but with an error
       throw cannot_read(path, reason_of(&input));
     act(band);
   }

@@ -3,7 +3,7 @@
 
 namespace coppermoon::texture {
 
-// nothing to do: a program linked with OpenImageIO has already loaded it
+// Nothing to do: a program linked with OpenImageIO has loaded it already.
 ImagesAhead::ImagesAhead() = default;
 ImagesAhead::~ImagesAhead() = default;
 

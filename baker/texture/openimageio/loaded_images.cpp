@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The program's own definitions of all functions that need OpenImageIO, which takes 0.2 s to load. It is
-// loaded when one is first called. Linked before the library, whose definitions are then left out.
+// The program's definitions of all functions that need OpenImageIO. They load it when one is first called, because
+// that takes 0.2 s. They are linked before the library, so that the library's definitions are left out.
 #include <tbb/parallel_for.h>
 
 #include <cstddef>
@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using algebra::Error;
 
-/// The module's path: beside the program, as built, or where it was installed.
+/// Path of the module, which is beside the program after a build, or where it was installed.
 ///
 /// Throws  Error  when the module is in neither place
 fs::path module_file() {
@@ -36,20 +36,20 @@ fs::path module_file() {
       installed.string()));
 }
 
-/// Refuses to load if the system would not grant the address space that the module's libraries take: OpenImageIO's
-/// start-up code uses memory without checking that it got it.
+/// Refuses to load the module if the system would not grant the address space for its libraries, because OpenImageIO's
+/// start-up code uses memory without checking that it was allocated.
 ///
 /// Throws  std::bad_alloc
 void require_addresses() {
   constexpr std::size_t taken =
-      512U << 20U;  // 474 MB by 269 libraries of Debian 12, 484 MB by 296 of Debian 13
+      512U << 20U;  // 474 MB for the 269 libraries on Debian 12, 484 MB for the 296 on 13
   if (!files::has_addresses(taken)) throw std::bad_alloc();
 }
 
-/// Loads the module, which then stays.
+/// Loads the module, which then stays loaded.
 ///
-/// Throws  Error  one line with the module's path: it is missing, it or one of its libraries cannot be
-///                loaded, or it belongs to another version of coppermoon
+/// Throws  Error  one line with the module's path: it is missing, it or one of its libraries cannot be loaded, or it
+///                belongs to another version of coppermoon
 const ImageFunctions& loaded() {
   const auto file = module_file();
   require_addresses();
@@ -71,16 +71,16 @@ const ImageFunctions& images() {
 
 ImagesAhead::ImagesAhead() {
   if (files::addresses_are_limited()) return;
-  // oneTBB loads libraries of its own when it starts, and would have to wait for these
+  // Starts oneTBB first, because it also loads libraries, and would otherwise have to wait for those of the module.
   tbb::parallel_for(0, 2, [](int) {});
   try {
     loading_ = std::thread([] {
       try {
         images();
-      } catch (...) {  // the first use of an image tries again, and reports it
+      } catch (...) {  // the first use of an image tries again, and reports the error
       }
     });
-  } catch (const std::system_error&) {  // no thread: loaded later
+  } catch (const std::system_error&) {  // no thread: the module is loaded later
   }
 }
 

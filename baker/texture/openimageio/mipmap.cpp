@@ -12,7 +12,7 @@ namespace {
 
 constexpr int tile_side = 64;
 
-/// Weight of one source texel in one destination texel when a row is halved.
+/// Halves a row of texels. A share is the weight of one old texel in one new texel.
 struct Halving {
   std::size_t from, to;
 
@@ -28,8 +28,7 @@ struct Halving {
   }
 };
 
-/// The next level of a mip-map: half the size, each texel the mean over its area; filled as
-/// rows arrive.
+/// The next level of a mip-map, at half the size. Each texel is the mean over its area. It is filled as rows arrive.
 class NextLevel {
  public:
   explicit NextLevel(const Layout& layout)
@@ -65,7 +64,7 @@ class NextLevel {
   Halving columns_, rows_;
 };
 
-/// Writes one level, and fills the next smaller one on the way.
+/// Writes one level of a mip-map, and fills the next smaller level at the same time.
 bool write_level(OIIO::ImageOutput& output, const Source& source, NextLevel& next) {
   bool written = true;
   const auto width = static_cast<int>(source.layout.width);
@@ -83,10 +82,10 @@ OIIO::ImageSpec mipmap_spec(const Layout& layout, ExrType type, const Attributes
   auto spec = exr_spec(layout, type, attributes);
   spec.tile_width = spec.tile_height = tile_side;
   spec.tile_depth = 1;
-  spec.attribute("compression", "zip");  // tiles are read one by one
+  spec.attribute("compression", "zip");  // because tiles are read one by one
   spec.attribute("textureformat", "Plain Texture");
   spec.attribute("wrapmodes", "periodic,clamp");
-  spec.attribute("openexr:roundingmode", 0);  // each level half of the last, rounded down
+  spec.attribute("openexr:roundingmode", 0);  // each level is half of the last, rounded down
   return spec;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// OpenImageIO with the same fmt as the rest of the program. Included first, OpenImageIO would compile another fmt. Its
-// functions have the same names but end the program where ours throw; whatever contains them would be linked as well.
+// Includes OpenImageIO after fmt, so that it uses the program's fmt. Otherwise it would compile its own copy, whose
+// functions have the same names but end the program where ours throw, and which might be linked in place of ours.
 #pragma once
 
 #include <fmt/format.h>

@@ -43,7 +43,7 @@ std::size_t length(const Attribute& value) {
   return numbers ? numbers->size() : 0;
 }
 
-/// Whether a value is two whole numbers of 1 or more that a float represents exactly.
+/// Whether a value is a ratio: two whole numbers of 1 or more that a float can represent exactly.
 bool is_ratio(const Attribute& value) {
   constexpr float most = 1 << 24;
   const auto* numbers = std::get_if<std::vector<float>>(&value);

@@ -9,14 +9,13 @@
 
 namespace coppermoon::texture {
 
-/// OpenImageIO's name for an attribute, such as DateTime for `capDate` or ExposureTime for `expTime`.
+/// OpenImageIO's name for a standard attribute, such as DateTime for `capDate` or ExposureTime for `expTime`.
 std::string oiio_name(std::string_view name);
 
-/// Puts an attribute into a specification so that the file gets it with its standard name and
-/// type.
+/// Adds an attribute to a specification, so that the file will have it with its standard name and type.
 ///
-/// Throws  Error  if OpenImageIO would drop or change it: an empty name, a name reserved for the file's
-///                own layout, a value of the wrong type for a standard name
+/// Throws  Error  if OpenImageIO would drop or change it: an empty name, a name that the file reserves for its own
+///                layout, a value of the wrong type for a standard name
 void set_attribute(OIIO::ImageSpec& spec, const std::string& name, const Attribute& value);
 
 }  // namespace coppermoon::texture

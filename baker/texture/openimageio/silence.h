@@ -5,13 +5,13 @@
 
 namespace coppermoon::texture {
 
-/// Silences stderr as long as any Silence exists, in any thread: libpng, libjpeg and libtiff print
-/// their own messages about files that end early, which an Error then reports again.
-/// Our own code must not print meanwhile. OpenEXR prints nothing, and so needs no Silence.
+/// Silences stderr for all threads as long as any Silence exists. It is for libpng, libjpeg and libtiff, whose messages
+/// about files that end early only repeat what an Error reports. Our own code must not print meanwhile. OpenEXR prints
+/// nothing, so it needs no Silence.
 class Silence {
  public:
   Silence();
-  /// For reading a file: does nothing if it is an OpenEXR file.
+  /// Silences stderr while a file is read, unless it is an OpenEXR file.
   explicit Silence(const std::filesystem::path& file);
   ~Silence();
   Silence(const Silence&) = delete;

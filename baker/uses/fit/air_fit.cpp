@@ -16,14 +16,14 @@ std::vector<double> evenly(double from, double to, int steps) {
   return all;
 }
 
-/// Number of looks at the grid, and steps of each axis. The first look finds the probable range; later ones have
-/// steps of half a standard deviation once the interval is known. If an interval is narrower than the last steps,
-/// another look follows.
+/// Usual and greatest number of grids that are tried, each finer than the one before, and the number of steps along
+/// each axis. The first grid finds the probable range. Later grids have steps of about half a standard deviation.
+/// Another grid follows if steps are still too coarse.
 constexpr std::size_t looks = 3, most_looks = 6;
 constexpr std::array<std::array<int, 3>, looks> axis_steps{
     {{20, 14, 8}, {20, 16, 10}, {24, 20, 12}}};
 
-/// Whether all steps are smaller than a standard deviation.
+/// Whether the steps of all axes are smaller than a standard deviation of the posterior.
 bool are_fine(const Axes& axes, const Posterior& posterior) {
   for (std::size_t a = 0; a < axes.size(); ++a) {
     const auto& estimate = posterior.estimates[a];
@@ -32,7 +32,7 @@ bool are_fine(const Axes& axes, const Posterior& posterior) {
   return true;
 }
 
-/// Axes that cover a range.
+/// Grid axes that cover a range of the unknowns.
 Axes axes_over(Unknowns unknowns, const AirRange& range) {
   Axes axes;
   for (std::size_t a = 0; a < axes.size(); ++a) {
@@ -53,9 +53,9 @@ AirRange range_of(std::span<const DataSet> data) {
   return range;
 }
 
-/// Axes for a look at the range that a coarser grid found probable.
+/// Axes of a finer grid over the range that a coarser grid found probable.
 Axes axes_about(const Posterior& known, const Axes& coarser, std::size_t look) {
-  constexpr double beyond = 2;  // in widths of the interval: to five deviations from the median
+  constexpr double beyond = 2;  // in widths of the interval; reaches five deviations
   Axes axes;
   for (std::size_t a = 0; a < axes.size(); ++a) {
     const auto& [median, low, high, information] = known.estimates[a];
@@ -67,13 +67,13 @@ Axes axes_about(const Posterior& known, const Axes& coarser, std::size_t look) {
   return axes;
 }
 
-/// Goodness of fit at each point of a grid: (aerosol × ozones + ozone, cloud).
+/// χ² and clock corrections at each point of a grid, indexed as (aerosol × ozones + ozone, cloud).
 struct Evaluation {
   algebra::Grid<double> chi_squared;
   std::vector<algebra::Grid<ClockError>> clocks;  ///< [data set]
 };
 
-/// Adds a data set's χ² for each amount of cloud at one aerosol and ozone, and records its clock.
+/// Adds a data set's χ² for each amount of cloud, at one value of aerosol and ozone, and records its clock correction.
 void add_over_cloud(const DataSet& data, const FittedLight::OverCloud& light,
                     const std::vector<double>& clouds, std::span<double> chi_squared,
                     std::span<ClockError> clocks) {
@@ -110,7 +110,8 @@ Evaluation evaluated(const Axes& axes, std::span<const DataSet> data,
   return all;
 }
 
-/// Posterior mean and standard error of a clock's correction over all air, with χ² and variances scaled by a factor.
+/// Posterior mean and standard error of a clock's correction, averaged over all air on the grid. `scale` enlarges all
+/// variances.
 ClockError over_all_air(const algebra::Grid<double>& chi_squared, double least, double scale,
                         const algebra::Grid<ClockError>& clocks) {
   double sum = 0, mean = 0, squares = 0;
@@ -125,7 +126,8 @@ ClockError over_all_air(const algebra::Grid<double>& chi_squared, double least, 
   return {mean, std::sqrt(std::max(0., squares / sum - mean * mean)), {}};
 }
 
-/// Posterior with all variances enlarged by a factor; if the grid's steps are fine, it is interpolated between points.
+/// Posterior from χ² on a grid, with all variances enlarged by a factor. If the grid's steps are fine enough, χ² is
+/// interpolated between them.
 Posterior posterior_over(const Axes& axes, const algebra::Grid<double>& chi_squared, double scale) {
   std::vector<double> scaled;
   for (std::size_t i = 0; i < axes[0].size(); ++i)
@@ -155,7 +157,7 @@ double freedom_of(std::size_t measurements) {
   return std::max(1., static_cast<double>(measurements) - 3);
 }
 
-/// χ² one standard deviation above its mean: if errors are as assumed, a sixth of all fits exceed it by chance.
+/// χ² one standard deviation above its expected value. If errors are as assumed, one fit in six exceeds it by chance.
 double chi_squared_by_chance(double freedom) { return freedom + std::sqrt(2 * freedom); }
 
 }  // namespace
@@ -217,7 +219,7 @@ AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progre
     }
     axes = axes_about(result.posterior, axes, look);
   }
-  // information is relative to the whole range, not to the last grid's
+  // information is relative to the whole prior range, not to the range of the last grid
   const auto whole = axes_over(result.unknowns, whole_range(result.unknowns));
   for (std::size_t a = 0; a < whole.size(); ++a) {
     auto& information = result.posterior.estimates[a].information;

@@ -17,55 +17,55 @@ struct GoodnessOfFit {
   double chi_squared;
   double clock_s = 0,
          clock_variance_s2 =
-             0;  ///< mean and variance of the correction to be added to the clock's instants
+             0;  ///< mean and variance of the correction to add to the clock's times
 };
 
 /// Measurements from one night, or the magnitudes measured at one moment.
 struct DataSet {
   FittedLight light;
   std::function<GoodnessOfFit(const algebra::Grid<double>& light)>
-      goodness;       ///< for given light in bins
+      goodness;       ///< how well given light fits the data
   std::size_t count;  ///< number of measurements
 };
 
-/// Correction for a clock, to be added to its instants.
+/// Correction to be added to the times of a camera's clock.
 struct ClockError {
   double seconds = 0, error_s = 0;  ///< mean and standard error
-  std::string zone{};  ///< time zone of its instants; empty if they were given in another way
+  std::string zone{};  ///< time zone of the camera's times; empty if no zone was given
 };
 
 /// Air fitted to data sets.
 struct AirFit {
   Unknowns unknowns = Unknowns::factors;
-  Posterior posterior{};         ///< of the unknowns, or of their logarithms if unknowns_of says so
+  Posterior posterior{};         ///< of the unknowns; logarithmic ones by their logarithm
   std::size_t measurements = 0;  ///< number of measurements
   AirNumbers best{};             ///< air with the least χ²
   std::vector<ClockError> clocks{};  ///< one for each data set
 };
 
-/// Posterior of the air, given all data sets. It is computed on a grid over the range where their light is known. The
-/// grid is refined around the probable air, two to five times, until its steps are within a standard deviation. All
-/// data sets must have the same unknowns. If the least χ² exceeds the degrees of freedom by more than one standard
-/// deviation, which is more than chance explains, all errors are scaled up to match.
+/// Fits the air to all data sets together. The posterior is computed on a grid over the range for which the light of
+/// all data sets is known. The grid is refined around the probable air, two to five times, until its steps are smaller
+/// than a standard deviation. All data sets must have the same unknowns. If the least χ² exceeds the degrees of freedom
+/// by more than one standard deviation, all errors are scaled up until it does not.
 AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progress = {});
 
-/// Range of the unknowns around their probable values: it extends three widths of the interval beyond the interval, but
-/// at least a quarter of the amount for aerosol and cloud, and a tenth for ozone.
+/// Range of the unknowns around their probable values. It extends beyond each 68 % interval by three times the
+/// interval's width, or by a quarter of the value (a tenth for ozone) if that is more.
 AirRange range_about(const AirFit& fit);
 
-/// Whether the interval of each unknown lies inside a range by at least its own width. Ends that the range shares with
-/// the prior do not count.
+/// Whether each unknown's 68 % interval keeps at least its own width away from the ends of a range. Ends that coincide
+/// with the prior's limits do not count.
 bool is_well_within(const AirFit& fit, const AirRange& range);
 
-/// Largest χ² of an acceptable fit: ten times the degrees of freedom, as if all errors were three times as large
+/// Largest χ² of an acceptable fit: ten times the degrees of freedom. This corresponds to errors three times as large
 /// as assumed.
 ///
 /// Source  χ² per degree of freedom in tests/end_to_end/recovery_test.cpp: 0.2 to 3.2 for a hundred photographs;
-///         for one of them 15 with a tone curve of power 0.7, 98 with a time 30 minutes off, and 388 when taken
-///         from another eclipse
+///         for one of them, 15 with a tone curve of power 0.7, 98 with a time wrong by 30 minutes, and 388 with the
+///         date of another eclipse
 double most_chi_squared(const AirFit& fit);
 
-/// Whether the χ² of a fit is at most most_chi_squared.
+/// Whether the fit is acceptable: its χ² does not exceed most_chi_squared.
 bool explains(const AirFit& fit);
 
 }  // namespace coppermoon::uses

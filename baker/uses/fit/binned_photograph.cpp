@@ -23,8 +23,9 @@ Channel plane_of(const colour::Image& image, std::size_t k) {
   return channel;
 }
 
-/// Light from the sky and from glow in a channel. If the sky's noise is cut off at black, the sky counts as 0, with the
-/// measured light as its error. If the sky is too dark for the tone curve to be known, the glow keeps its prior.
+/// Light of the sky and the lens's glow in one channel, measured beside the disc. If many pixels there are black, the
+/// sky's light is taken as 0, with the measured light as its error. If the sky is too dark for the tone curve to be
+/// known, the glow keeps its prior.
 SkyAndGlow light_beside(const AroundTheDisc& light, const AroundTheDisc& black,
                         const AroundTheDisc& glow, const Uncertain& prior, bool linear) {
   constexpr double much = 0.05, of_glow = 0.25, fixed = 1e-9;
@@ -40,12 +41,12 @@ SkyAndGlow light_beside(const AroundTheDisc& light, const AroundTheDisc& black,
 /// Sums over a bin's pixels.
 struct SumOfBin {
   double light = 0, displayed = 0, sunlit = 0, glow = 0, black = 0;
-  double squares = 0;        ///< of the differences between pixels two apart
-  double light_squares = 0;  ///< of the pixels' light
+  double squares = 0;        ///< squared differences between pixels two columns apart
+  double light_squares = 0;  ///< squared light of the pixels
   std::size_t pixels = 0, clipped = 0, pairs = 0;
   ToneSlopes slopes{};  ///< derivatives of light
 
-  /// Whether few enough pixels are black or clipped; otherwise the mean over the others would be biased.
+  /// Whether few enough pixels are black or clipped for the mean of the others to be unbiased.
   bool sound() const {
     constexpr double few = 0.02;
     const auto all = static_cast<double>(pixels);
@@ -57,10 +58,10 @@ struct SumOfBin {
   }
   double ratio() const { return light / sunlit; }
   double mean() const { return light / static_cast<double>(std::max<std::size_t>(1, pixels)); }
-  /// Standard error of the ratio due to rounding to steps of light. If light differs between pixels by more than half a
-  /// step, their errors are independent: the mean's is a step's, times the characteristic function of a normal
-  /// distribution. The errors of a JPEG's colours are shared by a block. A camera's own curve is not known to within a
-  /// step near black, so that all pixels then share one error.
+  /// Standard error of the ratio of light to sunlit light that comes from rounding pixel values to steps. Rounding
+  /// errors average out if light varies between pixels by more than half a step, but the colours of a JPEG share their
+  /// error within a block. With a camera's own tone curve, all pixels share one error, because the curve is not known
+  /// to within a step near black.
   double error_of_steps(double step, bool curved) const {
     constexpr double of_a_step = 0.3, two_pi_squared = 2 * std::numbers::pi * std::numbers::pi,
                      block = 256;
@@ -72,9 +73,10 @@ struct SumOfBin {
     return of_pixel * std::hypot(std::exp(-two_pi_squared * variance / (step * step)),
                                  std::sqrt(std::min(1., block / all)));
   }
-  /// Standard error of the ratio, from pixels two apart, because light varies across a bin.
+  /// Standard error of the ratio of light to sunlit light due to noise. It is estimated from pixels two columns apart,
+  /// because light varies across a bin.
   ///
-  /// Given  noise_of_means  as colour::noise_of_means
+  /// Given  noise_of_means  value of colour::noise_of_means
   double error(double noise_of_means) const {
     const double variance = squares / 2 / static_cast<double>(std::max<std::size_t>(1, pairs));
     return std::sqrt(noise_of_means * variance * static_cast<double>(pixels)) / sunlit;
@@ -98,7 +100,7 @@ struct Brought {
   Channel glow;       ///< computed for the usual air
 };
 
-/// Adds the derivatives of a pixel's light above the sky with respect to the numbers of a tone curve.
+/// Adds the derivatives of a pixel's light, with the sky's light subtracted, with respect to a tone curve's parameters.
 void add_slopes(ToneSlopes& slopes, double light, double displayed, double sky,
                 double sky_displayed) {
   const auto of_light = colour::tone_derivatives(displayed),
@@ -107,7 +109,7 @@ void add_slopes(ToneSlopes& slopes, double light, double displayed, double sky,
     slopes[k] += light * of_light[k] - sky * of_sky[k];
 }
 
-/// Light to subtract: the sky's, before and after undoing the tone curve, and a factor on the glow.
+/// Light to subtract from pixels: the sky's light, with and without the tone curve, and a factor on the computed glow.
 struct Off {
   double displayed, sky, glow;
 };
@@ -151,8 +153,8 @@ std::vector<SumOfBin> sums_of(const FitScene& scene, const Brought& channel, con
   return sums;
 }
 
-/// Prior of the factor on the computed glow: the usual share of light that a lens scatters, times the photograph's
-/// scale, which is the median over its sound bins.
+/// Prior of the factor on the computed glow. It is the share of light that a lens usually scatters, times the ratio of
+/// the photograph's light to the computed light (median over sound bins).
 Uncertain usual_glow(const FitScene& scene, std::size_t k, std::span<const SumOfBin> sums) {
   constexpr double share = 0.03, error = 0.02;
   std::vector<double> scales;

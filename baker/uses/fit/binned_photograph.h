@@ -10,28 +10,28 @@
 
 namespace coppermoon::uses {
 
-/// Derivatives of the logarithm of a bin's light with respect to the numbers of a tone curve.
+/// Derivatives of the logarithm of a bin's light with respect to the parameters of a tone curve.
 using ToneSlopes = std::array<double, colour::tone_numbers>;
 
-/// A photograph's light in the bins of a scene, (bin, channel), in linear Rec.709, with standard errors.
+/// A photograph's light in the bins of a scene, with standard errors: grids (bin, channel) in linear Rec.709.
 struct BinnedPhotograph {
-  algebra::Grid<double> values;       ///< ratio of light to sunlit light; 0: unknown
+  algebra::Grid<double> values;       ///< ratio of light to sunlit light; 0 if unknown
   algebra::Grid<double> errors;       ///< of the values, from differences between nearby pixels
-  algebra::Grid<double> sky_errors;   ///< of the sky's light, common to the bins of a channel
-  algebra::Grid<double> glow_errors;  ///< of the glow's light, common to bins and channels
-  algebra::Grid<ToneSlopes> slopes;   ///< empty if light is linear, so that no curve matters
+  algebra::Grid<double> sky_errors;   ///< due to the sky, shared by all bins of a channel
+  algebra::Grid<double> glow_errors;  ///< due to glow, shared by all bins and channels
+  algebra::Grid<ToneSlopes> slopes;   ///< empty if light is linear and needs no curve
 };
 
 /// Photometric scale of a photograph, and its standard errors.
 struct PhotometricErrors {
   std::optional<double> value_per_cd_m2 = {};  ///< pixel value of 1 cd/m², if known
-  double exposure_error = 0.1;  ///< of the logarithm of exposure, shared by a night; 10: unknown
+  double exposure_error = 0.1;  ///< of the logarithm of a night's exposure; 10 if unknown
   double shutter_error =
-      0.03;  ///< of the logarithm of this exposure relative to the night's others
+      0.03;  ///< of the logarithm of the photograph's exposure relative to others
   double white_balance_error = 0.03;  ///< of the logarithms of red / green and blue / green
-  bool white_balance_fixed = false;   ///< shared by a night; else each photograph has its own
-  double place_error_km = 0;          ///< of the registration, towards the shadow's axis
-  /// error due to the weather along 30 degrees of the limb, in red; a fifth more in green, half more in blue
+  bool white_balance_fixed = false;   ///< white balance is the same all night
+  double place_error_km = 0;          ///< of the disc's place, towards the shadow's axis
+  /// relative error of red light due to the weather along 30 degrees of the limb; light_by_weather has other channels
   double weather_error = 0;
   double mixing_error = 0;      ///< of each off-diagonal element of the camera's matrix
   double saturation_error = 0;  ///< of the saturation of its colours, which JPEG styles vary
@@ -46,9 +46,9 @@ struct Binned {
 };
 
 /// Bins a photograph's light. Clipped pixels are left out, and so is a bin if more than 0.5 % of it is clipped or more
-/// than 2 % is black. Light from the sky and glow from the lens, measured beside the disc, are subtracted. The prior of
-/// the glow is 0.03 ± 0.02 of the light, which is typical of lenses. The subtracted glow has an error of 25 %, because
-/// the glow of real lenses falls off with other powers of the angle.
+/// than 2 % is black. Light from the sky and glow from the lens, measured beside the disc, are subtracted. The glow's
+/// prior is 0.03 ± 0.02 of the Moon's light, which is typical of lenses. The subtracted glow has an error of 25 %,
+/// because the glow of real lenses falls off with the angle differently from the computed glow.
 ///
 /// Given   render_to_photo  registration of the scene
 ///         curve            tone curve to undo, pixel by pixel; if absent, light is linear

@@ -17,7 +17,8 @@ namespace {
 
 using Cell = ClockView::Cell;
 
-/// Difference from a model's logarithm of light. In dark or clipped cells, only what exceeds their limit counts.
+/// How far the logarithm of a model's light lies above that of a cell. In a dark or clipped cell, the difference counts
+/// only if the model lies outside the limit that the cell sets.
 double difference(const Cell& cell, double model) {
   const double beyond = model - cell.light;
   if (cell.seen == Cell::Seen::dark) return std::max(0., beyond);
@@ -35,7 +36,7 @@ double mean_square(std::span<const Cell> cells, std::span<const double> model, d
   return sum / static_cast<double>(cells.size());
 }
 
-/// A correction, and the logarithm of the mean misfit.
+/// A clock correction that was tried, and the logarithm of the mean misfit it gave.
 struct Tried {
   double clock_s, misfit;
 };
@@ -61,9 +62,10 @@ struct Possible {
   double from_s, to_s;
 };
 
-/// Largest clock correction apart from half hours [s]; 0 if light is linear over the clock's error.
+/// Largest clock correction to try, apart from whole half hours [s]. It is 0 if the clock's error is so small that
+/// light changes linearly within it.
 double farthest_clock_s(const FitRequest& request) {
-  constexpr double linear_s = 300, errors = 3;  // light is linear this close to a moment
+  constexpr double linear_s = 300, errors = 3;  // light changes linearly within linear_s
   const double error_s = request.clock_error_s;
   return std::max(request.clock_search_s, error_s > linear_s ? errors * error_s : 0);
 }
@@ -74,7 +76,7 @@ eclipse::Contacts contacts_of(const FitRequest& request) {
       .contacts;
 }
 
-/// Least and greatest correction at which most photographs fall within the eclipse.
+/// Range of corrections to search. If half hours are free, it is the range that puts most photographs in the eclipse.
 Possible possible_clocks(const FitRequest& request) {
   if (!request.half_hours_free) return {-farthest_clock_s(request), farthest_clock_s(request)};
   constexpr int farthest = 52;  // half hours: time zones differ by up to 26 hours
@@ -106,8 +108,8 @@ std::vector<std::size_t> some_of(std::size_t all, std::size_t most) {
   return indices;
 }
 
-/// Correction, in steps of half an hour, at which photographs look most like the Moon: the closer the shadow is to its
-/// true place, the better they match.
+/// Clock correction, in steps of half an hour, at which the photographs best match the computed Moon. The match
+/// improves as the computed shadow approaches its true place.
 double roughly_at(const Stage& stage, std::span<const Reading> readings,
                   std::span<const std::size_t> which, const Possible& range) {
   std::vector<double> clocks_s;
@@ -125,7 +127,7 @@ double roughly_at(const Stage& stage, std::span<const Reading> readings,
   return best_s;
 }
 
-/// Views of photographs that are registered at a given clock correction.
+/// The chosen photographs as ClockViews, registered at a given clock correction; failures are skipped.
 std::vector<ClockView> views_at(const Stage& stage, std::span<const Reading> readings,
                                 std::span<const std::size_t> which, double clock_s) {
   const auto all = placed(stage, readings, clock_s, which, Registering::fine);

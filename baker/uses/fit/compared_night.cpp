@@ -13,28 +13,29 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Error of a tone curve between the levels where it is known.
+/// Relative error of light due to a tone curve's error between the levels at which the curve is defined.
 ///
 /// Source  measured curves of five cameras: 0.003
 constexpr double between_tents = 0.005;
 
-/// Error of light due to the second-order effect of weather.
+/// Relative error of light due to second-order effects of weather, which the linear nuisances do not cover.
 double second_order_of_weather(double weather_error) { return weather_error * weather_error; }
 
-/// Relative error of the computation in one channel, due to FittedLight and the number of wavelengths.
+/// Relative error of computed light in one channel, due to the interpolation in FittedLight and the limited number of
+/// wavelengths.
 double error_of_computation(double value, double brightest) {
   constexpr double of_value = 0.0005, of_brightest = 0.0002;
   return std::hypot(of_value, of_brightest * brightest / value);
 }
 
-/// Correlation of the computation's errors between bins of one channel, by their distance.
+/// Correlation between the errors of computed light in two bins, in one channel. It falls with the bins' distance.
 double correlation_of_computation(double distance_km) {
   constexpr double alike_km = 500;
   return std::exp(-distance_km / alike_km);
 }
 
-/// Covariance of the map's errors, (bin, bin), independent in each channel: 1.2 % for each area of 200 km, averaged
-/// over a bin.
+/// Covariance (bin, bin) of the bins' errors due to the Moon's map, in one channel. The map's error is 1.2 % in each
+/// area of 200 km, independently, and is averaged over a bin.
 algebra::Grid<double> covariances_of_map(const FitScene& scene) {
   constexpr double error = 0.012, place_px = 200 / fit_pixel_km;
   constexpr auto across = static_cast<std::size_t>(fit_side_px / place_px) + 1;
@@ -58,7 +59,7 @@ algebra::Grid<double> covariances_of_map(const FitScene& scene) {
   return result;
 }
 
-/// Adds a photograph's measurements: bins and channels that are neither clipped nor lost in noise.
+/// Adds the measurements from a photograph, one for each bin and channel that is neither clipped nor lost in noise.
 void add_measurements(const Binned& photograph, std::size_t index, const colour::ToneCurve& curve,
                       std::vector<Measurement>& all) {
   constexpr double too_noisy = 0.3, too_dark = 0.01, least_error = 0.0003;
@@ -69,7 +70,7 @@ void add_measurements(const Binned& photograph, std::size_t index, const colour:
       const double value = values(b, k), noise = errors(b, k) / value;
       if (value <= 0 || noise > too_noisy || value < too_dark * brightest) continue;
       double logarithm = std::log(value / photograph.errors.value_per_cd_m2.value_or(1));
-      if (!slopes.empty())  // with the cameras' mean tone curve, to first order
+      if (!slopes.empty())  // back to the cameras' mean tone curve, to first order
         for (std::size_t n = 0; n < colour::tone_numbers; ++n)
           logarithm -= slopes(b, k)[n] * curve.numbers[n];
       all.push_back({index, b, k, logarithm,
@@ -97,7 +98,7 @@ algebra::Grid<double> noise_of(const FitScene& scene, std::span<const Measuremen
   return block;
 }
 
-/// Sums over measurements, weighted by their noise.
+/// Sums over measurements, weighted by the inverse square of their noise.
 struct Sum {
   std::size_t count = 0;
   double weight = 0, distance_km = 0, value = 0, squares = 0, chi_squared = 0;
@@ -195,7 +196,7 @@ colour::ToneCurve ComparedNight::curve(const algebra::Grid<double>& light) const
   if (!curved_) return curve;
   const auto found = nuisances_.expected(residuals_by_the_clock(light));
   for (std::size_t n = 0; n < colour::tone_numbers; ++n)
-    curve.numbers[n] = -found[first_.at("tone curve") + n];  // the curve removes excess light
+    curve.numbers[n] = -found[first_.at("tone curve") + n];  // the curve has to remove the excess light
   return curve;
 }
 

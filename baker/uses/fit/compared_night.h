@@ -19,23 +19,25 @@ struct MeasuredLight {
   double error;         ///< standard error of the light's logarithm
 };
 
-/// How a photograph's light in one channel differs from the light computed for an air: logarithms of their ratio. The
-/// night's nuisance parameters are at their posterior mean, the photograph's own at 0.
+/// How a photograph's light in one channel differs from the light computed for an air, as the logarithm of their ratio.
+/// The night's nuisance parameters have their posterior mean, and the photograph's own are 0.
 struct Misfit {
   std::size_t photograph, channel;  ///< red, green, blue
   std::size_t count;                ///< number of measurements
-  double chi_squared;               ///< its part of χ², with its own nuisance parameters
-  double mean, scatter;             ///< weighted mean, and standard deviation about it
+  double chi_squared;               ///< part of χ² that comes from this photograph and channel
+  double mean, scatter;             ///< weighted mean difference, and standard deviation
   double worst_km,
-      worst;  ///< distance from the shadow's axis where χ² is largest, and the difference there
+      worst;  ///< distance from the shadow's axis with the largest χ², and the difference there
   std::string file{};  ///< of the photograph
 };
 
-/// Photographs from one camera and night as one data set: logarithms of light by bin and channel.
+/// Photographs from one camera and night as one data set. Each measurement is the logarithm of light in one bin and
+/// channel.
 ///
-/// The noise of a measurement has three parts: its pixels' noise; the error of the Moon's map, 1.2 % for each area of
-/// 200 km, about 0.3 % for a bin; and the error of the computation, 0.05 % of its value and 0.02 % of the bin's
-/// brightest channel, which nearby bins share. The nuisance parameters come from nuisances_of.
+/// The noise of a measurement has three parts. The first is the noise of its pixels. The second is the error of the
+/// Moon's map, 1.2 % in each area of 200 km, or about 0.3 % in a bin. The third is the error of the computed light,
+/// which nearby bins share: 0.05 % of the light and 0.02 % of the light in the bin's brightest channel. The nuisance
+/// parameters come from nuisances_of.
 class ComparedNight {
  public:
   /// Throws  Error  when fewer than six measurements are neither clipped nor lost in noise
@@ -46,32 +48,34 @@ class ComparedNight {
   /// Number of measurements in one photograph.
   std::size_t count_of(std::size_t photograph) const;
 
-  /// Goodness of fit, with nuisance parameters marginalised.
+  /// Goodness of fit for an air, with the nuisance parameters marginalised.
   ///
-  /// Given  light  computed for some air, in the rows of NightRows
+  /// Given  light  computed for that air, in rows as NightRows orders them
   GoodnessOfFit goodness(const algebra::Grid<double>& light) const;
 
-  /// Posterior mean of the tone curve, given the light of an air; the cameras' mean curve if light is linear.
+  /// Posterior mean of the camera's tone curve, given the light computed for an air. If the photographs are linear, it
+  /// is the mean curve of all cameras.
   colour::ToneCurve curve(const algebra::Grid<double>& light) const;
 
-  /// Posterior mean of the camera's matrix, given the light of an air.
+  /// Posterior mean of the camera's colour matrix, given the light computed for an air.
   Mixing mixing(const algebra::Grid<double>& light) const;
 
-  /// The photographs' light in steps of 100 km from the axis, given the light of an air. Nuisance parameters are at
-  /// their posterior mean.
+  /// Measured light in steps of 100 km of distance from the shadow's axis, beside the given light computed for an air.
+  /// Nuisance parameters have their posterior mean.
   std::vector<MeasuredLight> measured(const algebra::Grid<double>& light) const;
 
-  /// Misfits by photograph, then channel, given the light of an air. Their parts of χ² are their terms in Σ r C⁻¹ r;
-  /// together with the χ² of the night's own parameters they add up to the whole.
+  /// Misfits in the order of photographs, then channels, given the light computed for an air. A misfit's part of χ² is
+  /// the sum of its terms in Σ r C⁻¹ r, less what the night's shared parameters explain.
   std::vector<Misfit> misfits(const algebra::Grid<double>& light) const;
 
  private:
-  /// Differences from an air's light, and how they change per second of the clock's correction.
+  /// Logarithms of measured light / computed light, and how those of computed light change per second of clock
+  /// correction.
   struct Residuals {
     std::vector<double> differences, per_second;
   };
   Residuals residuals(const algebra::Grid<double>& light) const;
-  /// Differences from an air's light, with the clock at its posterior mean.
+  /// Logarithms of measured light / computed light, with the clock correction at its posterior mean.
   std::vector<double> residuals_by_the_clock(const algebra::Grid<double>& light) const;
 
   NightErrors errors_;
@@ -82,7 +86,7 @@ class ComparedNight {
   std::vector<std::vector<double>> distances_km_;  // [photograph][bin]
   std::vector<std::array<double, 3>> sunlight_;    // [photograph][channel]
   std::map<std::string_view, std::size_t> first_;  // first column of each nuisance
-  std::size_t first_own_ = 0;                      // first column of the photographs' own
+  std::size_t first_own_ = 0;                      // first column that belongs to a single photograph
   Nuisances nuisances_;
 };
 

@@ -18,7 +18,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// How often nights are processed again at most.
+/// Greatest number of times that nights are processed again.
 constexpr int most_turns = 4;
 
 struct Earlier {
@@ -27,7 +27,7 @@ struct Earlier {
   }
 };
 
-/// Progress through steps of equal length; it never goes back.
+/// Reports the progress of a task that consists of steps of equal length. The reported progress never decreases.
 class Steps {
  public:
   Steps(algebra::Progress whole, std::size_t count)
@@ -53,7 +53,7 @@ class Steps {
 using ByNight = std::map<std::pair<std::string, double>, std::vector<std::size_t>>;
 using ByInstant = std::map<almanac::Instant, std::vector<MeasuredMagnitude>, Earlier>;
 
-/// Collects photographs that cannot be used, and the error of the first.
+/// Records why photographs cannot be used, and keeps the first of the errors.
 struct LeftOut {
   const FitRequest& request;
   std::vector<ReadPhotograph>& photographs;  ///< in the order of the request
@@ -65,7 +65,7 @@ struct LeftOut {
   }
 };
 
-/// Groups photographs by camera and eclipse.
+/// Groups the photographs of a request by camera and eclipse.
 ByNight nights_of(const FitRequest& request, LeftOut& left_out) {
   ByNight nights;
   for (std::size_t i = 0; i < request.photographs.size(); ++i) try {
@@ -84,7 +84,7 @@ ByNight nights_of(const FitRequest& request, LeftOut& left_out) {
   return nights;
 }
 
-/// Camera response for a night's photographs if none is asked for.
+/// Camera response for a photograph if the request names none.
 std::optional<std::string> usual_response(const EclipsePhotograph& photograph) {
   const auto camera = camera_of(photograph.file);
   const auto coding = coding_of(photograph.file, photograph.coding);
@@ -94,7 +94,7 @@ std::optional<std::string> usual_response(const EclipsePhotograph& photograph) {
   return own_curve ? std::optional<std::string>("canon-eos-600d") : std::nullopt;
 }
 
-/// Request for one night: only the given photographs, with their camera's response.
+/// Request for one night: it has only the photographs with the given indices, and their camera's response.
 FitRequest request_of(FitRequest request, const std::vector<std::size_t>& indices) {
   const auto all = std::exchange(request.photographs, {});
   for (const auto i : indices) request.photographs.push_back(all[i]);
@@ -115,8 +115,8 @@ struct NightOf {
   std::vector<Again> turns{};
 };
 
-/// Fits air to nights and magnitudes. As long as the result would change a night's photographs or light, the night is
-/// processed and the air fitted again.
+/// Fits the air to nights and magnitudes. While the result calls for a night to be processed again (see why_again), the
+/// night is processed and the air is fitted again.
 AirFit fitted(std::vector<NightOf>& nights, const std::vector<DataSet>& magnitudes, Steps& steps) {
   auto progress = steps.next();
   for (int turn = 0;; ++turn) {

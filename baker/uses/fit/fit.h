@@ -24,73 +24,74 @@ struct EclipsePhotograph {
   std::string file;
   almanac::Instant instant;
   texture::Coding coding = texture::Coding::as_file_says;      ///< how its pixel values are coded
-  std::optional<double> time_s = {}, iso = {}, f_number = {};  ///< if absent, from its header
+  std::optional<double> time_s = {}, iso = {}, f_number = {};  ///< read from the header if absent
 };
 
-/// Data to be fitted, and everything that is taken as known.
+/// Data to be fitted, and everything that the fit takes as known.
 struct FitRequest {
-  std::optional<Unknowns> unknowns = {};  ///< of the air; if absent, usual_unknowns
+  std::optional<Unknowns> unknowns = {};  ///< what to fit; if absent, as usual_unknowns
   std::vector<EclipsePhotograph> photographs = {};
   std::vector<MeasuredMagnitude> magnitudes = {};
-  /// The air apart from the unknowns, limb darkening, scattered light, starlight, map and photometry; the rest is
-  /// ignored.
+  /// Sets the air (apart from the unknowns), limb darkening, scattered light, starlight, map, photometry and response;
+  /// the rest is ignored.
   MoonRequest moon = {};
-  ViewRequest view = {};  ///< observer of the photographs, and the air above
-  /// One of colour::camera_names(), for its saturation; if empty, saturation follows ISO 12232.
+  ViewRequest view = {};  ///< the photographer's place, and the air above it
+  /// One of colour::camera_names(), which sets the luminance that saturates the sensor; if empty, ISO 12232 does.
   std::string camera = {};
-  /// Standard error of the logarithm of exposure, shared by a night's photographs, 0.001 to 10; if absent, 0.1, or 10
-  /// with a camera's own tone curve, which leaves the exposure free.
+  /// Standard error of the logarithm of exposure that a night's photographs share, 0.001 to 10. If absent, it is 0.1,
+  /// or 10 for photographs with a camera's own tone curve, which leaves their exposure free.
   std::optional<double> exposure_error = {};
   /// Standard error of the logarithm of one exposure relative to the night's others, 0.001 to 10.
   double shutter_error = 0.03;
-  /// Standard error of the logarithms of red / green and blue / green, 0.001 to 10; if absent, 0.03, or 0.3 with a
-  /// camera's own tone curve.
+  /// Standard error of the logarithms of red / green and blue / green, 0.001 to 10. If absent, it is 0.03, or 0.3 for
+  /// photographs with a camera's own tone curve.
   std::optional<double> white_balance_error = {};
-  /// Standard error, due to weather in usual air, of the light from 30 degrees of the limb, 0 to 1; if absent, 0.1 for
-  /// a camera's own JPEGs and raw files, else 0.
+  /// Relative error of the light from 30 degrees of the limb due to weather in usual air, 0 to 1. If absent, it is 0.1
+  /// for raw files and for JPEGs straight from a camera, else 0.
   std::optional<double> weather_error = {};
-  /// Standard error of each camera's clock, 0 (exact) to 3600 s; above 300, the fit searches within three errors.
+  /// Standard error of each camera's clock [s], 0 (exact) to 3600. If it exceeds 300, corrections of up to three times
+  /// the error are searched.
   double clock_error_s = 0;
-  bool response_assumed = false;  ///< the response in `moon` stands in for an unknown camera's
-  bool half_hours_free = false;   ///< instants may be off by any whole number of half hours
-  /// How much further a clock may be off than its error, if partial phases show it [s]; 0: no further.
+  bool response_assumed = false;  ///< the response in `moon` is that of another camera
+  bool half_hours_free = false;   ///< times may be off by any number of half hours
+  /// Largest clock correction to search for even if clock_error_s is smaller [s]; partial phases must show it.
   double clock_search_s = 0;
 };
 
-/// What was read from a photograph.
+/// How a photograph was read, or why it was left out.
 struct ReadPhotograph {
   colour::Registration registration{};
-  bool exposure_known = false;   ///< if not, the exposure is free
+  bool exposure_known = false;   ///< if false, the exposure is free
   std::size_t measurements = 0;  ///< number of bins and channels used
-  bool curved = false;           ///< whether it has its camera's own tone curve, which is fitted
-  std::optional<ClippedAt> clipped_at{};  ///< number that counts as clipped, if not 1
+  bool curved = false;           ///< whether its tone curve is its camera's own and is fitted
+  std::optional<ClippedAt> clipped_at{};  ///< pixel value that counts as clipped, if not 1
   std::string left_out{};  ///< why it was left out, in one line; empty if it was used
   std::string file{};
-  std::optional<std::string> instant{};  ///< as stated, UTC; none if it has no date
+  std::optional<std::string> instant{};  ///< time as given, UTC; absent if unknown
 };
 
-/// The message of an error, without the file name at its beginning.
+/// An error's message without the file name at its beginning.
 std::string reason_without_name(const std::string& file, const algebra::Error& error);
 
-/// Why a night is processed again with the results of the fit.
+/// Reason to process a night again with the results of the fit.
 enum class Again {
   no,            ///< nothing would change
-  in_its_air,    ///< its photographs were registered in usual air
-  by_its_curve,  ///< its photographs were read with a tone curve that has since changed
-  nearby         ///< its light was computed at nodes too far from the air that was found
+  in_its_air,    ///< photographs were registered under usual air, not the air found
+  by_its_curve,  ///< photographs were read with a tone curve that has since changed
+  nearby         ///< light was computed at nodes too far from the air that was found
 };
 
-/// What was found about the camera of one night.
+/// What the fit found about one night's camera and photographs.
 struct FittedNight {
   std::vector<std::size_t> photographs;  ///< indices in the request
   std::optional<ClockError> clock;       ///< if clock_error_s > 0
-  /// Response of its camera: the one asked for, the one known by the camera's name, or the usual one.
+  /// Camera response: the one requested, else the camera's own if it is known, else the usual one for such files.
   std::optional<std::string> response;
   std::optional<colour::ToneCurve> curve;
-  std::vector<MeasuredLight> light;  ///< ordered by distance
-  std::vector<Misfit> misfits;       ///< their photographs are indices in the request
-  std::vector<Again> turns;          ///< why it was processed again, each time
-  std::vector<std::string> files;    ///< of its photographs
+  std::vector<MeasuredLight> light;  ///< in order of distance
+  std::vector<Misfit> misfits;       ///< with indices in the request
+  std::vector<Again> turns;          ///< why it was processed again, for each time
+  std::vector<std::string> files;    ///< names of its photographs
 };
 
 /// The air that was found, and the photographs and cameras it was found from.
@@ -100,7 +101,7 @@ struct FitReport {
   std::vector<FittedNight> nights;
 };
 
-/// The unknowns that a request asks to fit.
+/// The unknowns to fit: those of the request, else usual_unknowns.
 Unknowns unknowns_of(const FitRequest& request);
 
 /// Fits aerosol, cloud and ozone to photographs and magnitudes of eclipses, jointly:
@@ -110,16 +111,15 @@ Unknowns unknowns_of(const FitRequest& request);
 ///     const auto found = fitted_air(request);
 ///     if (explains(found.fit)) use(found.fit.posterior.estimates);
 ///
-/// If no response is given, light is seen through the filters of the camera that the header names, if they are known.
-/// JPEGs from other cameras use the filters of a Canon EOS 600D, because cameras differ less from each other than from
-/// the CIE observer; the differences of other cameras and the observer from it then count as an error of the light.
-/// Photographs from one camera and eclipse share a clock, a tone curve, and an error of exposure. A photograph that
-/// cannot be used is left out as long as other data remain.
+/// If no response is given, light is computed for the filters of the camera that the file's header names, if they are
+/// known. For JPEGs from other cameras, the filters of a Canon EOS 600D are assumed, because cameras differ less from
+/// each other than from the CIE observer; the differences between cameras then count as an error. Photographs from one
+/// camera and eclipse share a clock, a tone curve, and an error of exposure. A photograph that cannot be used is left
+/// out as long as other data remain.
 ///
-/// Given   progress  called with the fraction done; an exception from it ends the fit
-/// Throws  Error  when there are no data, or an error is outside its range; when no eclipse
-///                is under way, or the Moon is below the horizon; "<file>: …" when none of the
-///                photographs can be used
+/// Given   progress  called with the fraction done; may throw to cancel the fit
+/// Throws  Error  when there are no data, a standard error is out of range, no eclipse is under way, or the Moon is
+///                below the horizon; "<file>: …" when none of the photographs can be used
 FitReport fitted_air(const FitRequest& request, const algebra::Progress& progress = {});
 
 }  // namespace coppermoon::uses

@@ -12,25 +12,25 @@
 
 namespace coppermoon::uses {
 
-/// Optional whose key stays in documents: null if there is no value.
+/// Wraps an optional so that its key always appears in documents, as null if there is no value.
 template <class Value>
 std::optional<std::optional<Value>> or_null(std::optional<Value> value) {
   return std::make_optional(std::move(value));
 }
 
-/// Red, green or blue.
+/// Name of a channel by its index: red, green or blue.
 inline algebra::Word channel_named(std::size_t channel) {
   const std::vector<std::string_view> names{"red", "green", "blue"};
   return {names[channel], names};
 }
 
-/// An estimate in the unit of its unknown, with any logarithm undone.
+/// Converts an estimate to the unit of its unknown, undoing the logarithm if there is one.
 inline Estimate in_its_unit(const Unknown& unknown, const Estimate& estimate) {
   return {unknown.from_axis(estimate.median), unknown.from_axis(estimate.low),
           unknown.from_axis(estimate.high), estimate.information};
 }
 
-/// Least information at which the data are considered to determine an estimate.
+/// Least Estimate::information for which a result counts as determined by the data.
 inline constexpr double told_information = 0.3;
 
 template <class Field>

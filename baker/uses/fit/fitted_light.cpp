@@ -12,10 +12,10 @@ namespace {
 
 using InOzone = FittedLight::InOzone;
 
-/// Transforms a number so that the logarithm of light is smooth in it: ln(1 + number / scale).
+/// Transforms an amount or factor to ln(1 + number / scale), as a function of which the logarithm of light is smooth.
 double smooth(double number, double scale) { return std::log1p(number / scale); }
 
-/// Numbers from the least to the greatest, evenly spaced after `smooth`.
+/// Numbers from one end of a range to the other whose values of `smooth` are evenly spaced.
 std::vector<double> even_on_scale(const std::array<double, 2>& range, double scale, int count) {
   std::vector<double> all;
   const double from = smooth(range[0], scale), to = smooth(range[1], scale);
@@ -24,21 +24,21 @@ std::vector<double> even_on_scale(const std::array<double, 2>& range, double sca
   return all;
 }
 
-/// Scale for dust. Cubics through ten nodes that are even on it have errors of 4e-4 up to 3e-6 per metre, 1e-3 up to
-/// 8e-6, 5e-3 up to 1.5e-5, and 2e-2 beyond.
+/// Scale of `smooth` for dust. With ten nodes evenly spaced on this scale, cubics have errors of 4e-4 for dust up to
+/// 3e-6 per metre, 1e-3 up to 8e-6, 5e-3 up to 1.5e-5, and 2e-2 beyond.
 constexpr double scale_of_dust_per_m = 2e-6;
 
-/// Scale for factors on stratospheric aerosol: a vertical optical depth of 0.015, which is about 1 along the limb.
+/// Scale of `smooth` for stratospheric aerosol, as a vertical optical depth. This depth is about 1 along a grazing ray.
 constexpr double scale_of_depth = 0.015;
 
-/// Scale for factors on the chance of cloud.
+/// Scale of `smooth` for factors on the chance of cloud.
 constexpr double scale_of_cloud_chance = 0.7;
 
 double smooth_cloud(Unknowns unknowns, double cloud) {
   return unknowns == Unknowns::factors ? smooth(cloud, scale_of_cloud_chance) : cloud;
 }
 
-/// Weights of the aerosol nodes: a cubic through the four nearest, on their scale.
+/// Weights of the aerosol nodes for interpolation by a cubic through the four nearest, on the scale of `smooth`.
 std::vector<double> shares_of_aerosol(std::span<const double> aerosols, double aerosol,
                                       double scale) {
   constexpr std::size_t near = 4;
@@ -58,19 +58,20 @@ void add(double times, const algebra::Grid<double>& light, algebra::Grid<double>
   for (std::size_t i = 0; i < values.size(); ++i) sums.values()[i] += times * values[i];
 }
 
-/// The numbers with the given indices.
+/// The elements of a vector that have the given indices.
 std::vector<double> some(const std::vector<double>& all, std::span<const std::size_t> which) {
   std::vector<double> fewer;
   for (const auto i : which) fewer.push_back(all[i]);
   return fewer;
 }
 
-/// Nodes over the whole range, or fewer and finer ones in part of it.
+/// Nodes at which light is computed, over the given range; if absent, over the whole range of the unknowns.
 ///
-/// With fine nodes, the first value of ozone has all nodes of aerosol and cloud and two more have some: the ratio
-/// of light at two values of ozone is smoother than light. For amounts, errors between the five nodes of dust, at 100
-/// and 350 DU, are 8e-4 up to 3e-6 per metre, 1.4e-3 up to 8e-6, 3e-3 up to 1.5e-5; near 280 DU they are 0. In part of
-/// the range, steps of aerosol and cloud are at most a third as long, so the errors of cubics are a hundredth.
+/// If fine, there are three values of ozone. The first has all nodes of aerosol and cloud. The other two have only
+/// some, because the ratio of light at two values of ozone is smoother than light itself. For amounts, they have five
+/// nodes of dust; the errors between these, at 100 and 350 DU, are 8e-4 for dust up to 3e-6 per metre, 1.4e-3 up to
+/// 8e-6, and 3e-3 up to 1.5e-5. Near 280 DU they are 0. If a range is given, steps of aerosol and cloud are at most a
+/// third as long, so the errors of cubics are a hundred times smaller.
 std::vector<InOzone> nodes_of(Unknowns unknowns, FittedAirs airs, double aerosol_scale,
                               const std::optional<AirRange>& range) {
   using Which = std::vector<std::size_t>;
@@ -110,7 +111,7 @@ std::vector<InOzone> nodes_of(Unknowns unknowns, FittedAirs airs, double aerosol
   return nodes;
 }
 
-/// Scale for the aerosol nodes; for factors it follows from the stratosphere's mean optical depth along the limb.
+/// Scale of `smooth` for the aerosol nodes. For factors, it follows from the stratosphere's mean optical depth.
 double aerosol_scale_of(const LightRequest& request, Unknowns unknowns,
                         const almanac::SkyState& sky) {
   if (unknowns == Unknowns::amounts) return scale_of_dust_per_m;
@@ -161,7 +162,7 @@ FittedLight::OverCloud FittedLight::over_cloud(double aerosol, double ozone) con
   std::vector<double> ozones;
   for (const auto& node : nodes_) ozones.push_back(node.ozone);
   auto of_ozone = algebra::on_polynomial(ozones, ozone);
-  of_ozone.front() = 1;  // the others hold ratios to it
+  of_ozone.front() = 1;  // nodes at other ozone hold ratios to the first
   const auto& first = nodes_.front();
   const auto& form = first.logarithms.front();
   const auto on_scale = [&](const std::vector<double>& clouds) {

@@ -18,7 +18,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Plan of work that makes light as exact as photographs are.
+/// Settings with which computed light is as exact as photographs.
 constexpr plan::Work work_of_fits{.scattered_light = true,
                                   .bands = 40,
                                   .rays = 200,
@@ -26,18 +26,20 @@ constexpr plan::Work work_of_fits{.scattered_light = true,
                                   .planes = 2,
                                   .place_error = 1e-2};
 
-/// Number of sectors, interpolated by cubics, and highest harmonic, for air without sharp borders. Errors compared with
-/// 96 sectors and all harmonics are 2e-3 at most, 1e-4 on average.
+/// Number of sectors, between which light is interpolated by cubics, and the highest harmonic, for air without sharp
+/// borders. Compared with 96 sectors and all harmonics, errors are 2e-3 at most, 1e-4 on average.
 constexpr std::size_t sectors_of_fits = 48;
 constexpr int harmonics_of_fits = 24;
 
 constexpr double darkness = 1e-30;
 
-/// Air above the observer for all parts: nodes between which a polynomial interpolates the logarithm of light.
+/// How the air above the observer dims each part's light. Only a few parts serve as nodes; for the others, a polynomial
+/// interpolates the logarithm of light between nodes.
 struct AirAbove {
   std::size_t nodes = 0;
-  algebra::Grid<double> shares;  ///< (part, node)
-  /// (row, band): channels of the first node, then of the next; then as many rows for what the ground's colour adds
+  algebra::Grid<double> shares;  ///< weight of each node: (part, node)
+  /// Grid (row, band). Rows are the channels of the first node, then those of the next. As many rows follow for the
+  /// light that the ground's colour adds.
   algebra::Grid<double> weights;
 };
 
@@ -50,7 +52,7 @@ AirAbove air_above(std::span<const LitBins> parts) {
   }
   const auto [least, most] = std::ranges::minmax(dimming);
   const double count = std::clamp(std::ceil((most - least) / alike) + 1, 1., most_nodes);
-  std::vector<std::size_t> of_node;  // part of each node
+  std::vector<std::size_t> of_node;  // index of the part that serves as each node
   for (double i = 0; i < count; ++i) {
     const double wanted = least + (most - least) * i / std::max(1., count - 1);
     const auto nearest =
@@ -73,7 +75,7 @@ AirAbove air_above(std::span<const LitBins> parts) {
   return above;
 }
 
-/// What the computation of light needs that is the same for all air.
+/// Input to the computation of light that does not depend on the unknowns.
 struct Setting {
   const LightRequest& request;
   ShadowedMoon moon;
@@ -81,13 +83,13 @@ struct Setting {
   std::vector<double> waves, distances_m;
   std::span<const LitBins> parts;
   AirAbove above;
-  algebra::Grid<double> weights;                ///< those of `above`: (row, wave)
-  std::vector<algebra::Grid<double>> direct{};  ///< [part](place, row)
+  algebra::Grid<double> weights;                ///< weights in `above`, at each wavelength
+  std::vector<algebra::Grid<double>> direct{};  ///< sunlight clear of the air: [part](place, row)
 
   std::size_t channels_of_nodes() const { return weights.rows() / 2; }
 };
 
-/// Adds sunlight that passes clear of the Earth and its air, so that dust, cloud and ozone do not change it.
+/// Computes the sunlight that passes clear of the Earth and its air. Dust, cloud and ozone do not change it.
 void add_direct(Setting& setting, const algebra::Progress& progress) {
   const shadow::DirectLight light(setting.moon.air, setting.arrangement, setting.waves);
   const auto layers = light.in_layers(setting.weights);
@@ -121,7 +123,7 @@ std::vector<shadow::RefractedLight> refracted_in(const Setting& setting,
                                   finely);
 }
 
-/// Logarithms of a part's light / sunlight: (bin, channel at each node).
+/// Logarithm of light / sunlit light in the bins of part `p`, for the air above at each node: (bin, node and channel).
 algebra::Grid<double> in_bins(const Setting& setting, std::size_t p,
                               const shadow::RefractedLight& refracted) {
   const auto& part = setting.parts[p];
@@ -146,7 +148,8 @@ algebra::Grid<double> in_bins(const Setting& setting, std::size_t p,
   return light;
 }
 
-/// Logarithms of light / sunlight for all parts, each seen through its own air above: (bin, channel).
+/// Logarithm of light / sunlit light in the bins of all parts, each seen through the air above at its moment: (bin,
+/// channel).
 algebra::Grid<double> in_all_bins(const Setting& setting, const shadow::RefractedLight& refracted) {
   const auto nodes = setting.above.nodes, channels = setting.channels_of_nodes() / nodes;
   std::size_t bins = 0;
@@ -164,7 +167,8 @@ algebra::Grid<double> in_all_bins(const Setting& setting, const shadow::Refracte
   return all;
 }
 
-/// Air with the given values of the unknowns all along the limb: factors multiply, amounts replace.
+/// Air with the given values of the unknowns all along the limb. Factors multiply the air's own values, and amounts
+/// replace them.
 atmosphere::Atmosphere changed(atmosphere::Atmosphere air, Unknowns unknowns,
                                const AirNumbers& numbers) {
   const double aerosol = numbers[0], cloud = numbers[1], ozone = numbers[2];
@@ -190,7 +194,7 @@ atmosphere::Atmosphere changed(atmosphere::Atmosphere air, Unknowns unknowns,
   return air;
 }
 
-/// The Moon at all moments.
+/// The Moon in the shadow, with its path through all moments.
 ShadowedMoon moon_at(const LightRequest& request, std::span<const almanac::SkyState> skies) {
   auto moon = shadowed_moon(request, skies[skies.size() / 2]);
   if (skies.size() > 1)
@@ -221,7 +225,7 @@ std::vector<algebra::Grid<double>> light_in_bins(const LightRequest& request, Un
                   above,
                   at_wavelengths(above.weights, work_of_fits.bands)};
   add_direct(setting, progress);
-  // several at once, in order of aerosol: airs with similar aerosol need light at similar places
+  // computed several at once, sorted by aerosol, because airs with similar aerosol need light at similar places
   std::vector<std::size_t> order(numbers.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return numbers[i].front(); });

@@ -16,32 +16,32 @@
 
 namespace coppermoon::uses {
 
-/// A place of an eclipsed Moon, its sunlit light, and its bin.
+/// A place on an eclipsed Moon, its light without the shadow, and the bin it belongs to.
 struct LitPlace {
   eclipse::ShadowPlace place;
   double sunlit;  ///< light without the shadow, in any unit
   std::size_t bin;
-  double colour = 0;  ///< colour c of the ground, as in surface::Ground
+  double colour = 0;  ///< ground's colour c, as in surface::Ground
 };
 
-/// The Moon's ground at one moment, in bins, as one observer sees it.
+/// Ground of the Moon at one moment, divided into bins, as one observer sees it.
 struct LitBins {
-  /// (channel, band), 0 or more: weights that give the moonlight of mean ground as seen, like those for XYZ.
+  /// Grid (channel, band) of weights, 0 or more, that turn a spectrum into the light of mean ground in each channel.
   algebra::Grid<double> weights;
-  std::vector<LitPlace> places;  ///< in bins 0 to bins − 1
+  std::vector<LitPlace> places;  ///< with bins from 0 to bins − 1
   std::size_t bins = 0;
 };
 
-/// Binned light of a Moon on its way through the shadow, computed for each of several airs. Light in the shadow is
-/// computed once for all moments. For the air above the observer, its logarithm is interpolated by a polynomial through
-/// at most four nodes.
+/// Binned light of a Moon on its way through the shadow, computed for several kinds of air. Light in the shadow is
+/// computed once for all moments. The effect of the air above the observer is interpolated between at most four
+/// moments.
 ///
-/// Given     request    air apart from the unknowns, limb darkening; the rest is ignored
-///           skies      one or more from one eclipse, in order of time, including those of all parts
+/// Given     request    air (apart from the unknowns) and limb darkening; the rest is ignored
+///           skies      one or more from one eclipse, in order of time, among them the moments of all parts
 ///           parts      with equal numbers of channels
 ///           numbers    values of the unknowns for each air
 ///           scattered  whether to include light that the air scatters
-/// Returned  [air](bin, channel): logarithm of light / sunlit light, for the bins of all parts in their order
+/// Returned  [air](bin, channel): logarithm of light / sunlit light, in the bins of one part after another
 std::vector<algebra::Grid<double>> light_in_bins(const LightRequest& request, Unknowns unknowns,
                                                  std::span<const almanac::SkyState> skies,
                                                  std::span<const LitBins> parts,
@@ -49,13 +49,13 @@ std::vector<algebra::Grid<double>> light_in_bins(const LightRequest& request, Un
                                                  bool scattered,
                                                  const algebra::Progress& progress = {});
 
-/// Refracted light at any place, by wavelength: linear between planes, cubic between sectors.
+/// Interpolates refracted light at any place, by wavelength. It is linear between planes and cubic between sectors.
 class RefractedAt {
  public:
-  /// Given  light  in all sectors, or in those that hold the places and one more at either end; must outlive this
+  /// Given  light  in all sectors, or in the sectors around the places and one more at either end; must outlive this
   explicit RefractedAt(const shadow::RefractedLight& light);
 
-  /// Writes the ratio to unshadowed sunlight at each wavelength.
+  /// Writes the ratio of refracted light at a place to sunlight without the shadow, for each wavelength.
   void read(const eclipse::ShadowPlace& place, std::span<double> ratios);
 
  private:

@@ -13,7 +13,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Ratio of refracted light to unshaded sunlight near the umbra's edge.
+/// Ratio of refracted light to full sunlight near the umbra's edge.
 constexpr double refracted_at_the_edge = 3e-4;
 
 }  // namespace

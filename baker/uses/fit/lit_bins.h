@@ -6,8 +6,8 @@
 
 namespace coppermoon::uses {
 
-/// The bins of a scene at another moment: the same ground, elsewhere in the shadow. A few places represent all the
-/// ground in a bin.
+/// Moves the bins of a scene to another moment: the ground is the same, but lies elsewhere in the shadow. A few places
+/// represent all the ground in each bin.
 LitBins lit_bins(const FitScene& scene, const almanac::SkyState& sky);
 
 }  // namespace coppermoon::uses

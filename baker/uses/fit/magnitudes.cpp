@@ -49,7 +49,7 @@ double number_in(const std::string& cell, const char* what, double least, double
   return *number;
 }
 
-/// Refuses column names that are missing, repeated or unknown.
+/// Throws if a column name is missing, repeated or unknown.
 void require_columns(const std::vector<std::string>& names) {
   const auto count = [&](std::string_view name) { return std::ranges::count(names, name); };
   const auto errors = count("error");
@@ -64,7 +64,7 @@ void require_columns(const std::vector<std::string>& names) {
 
 MeasuredMagnitude measured_in(const std::vector<std::string>& cells,
                               const std::vector<std::string>& names) {
-  // whole numbers are excluded: digits after a decimal comma would pass for an error
+  // an error cannot be a whole number, or the digits after a decimal comma could be taken for one
   constexpr double least_error = 1e-3, most_error = 0.99;
   if (cells.size() < names.size()) throw algebra::Error("a line of fewer columns than the first");
   if (cells.size() > names.size())
@@ -85,7 +85,7 @@ MeasuredMagnitude measured_in(const std::vector<std::string>& cells,
   return measured;
 }
 
-/// Texels seen from the Earth's centre, all in one bin, weighted by their area.
+/// Texels of the Moon's map that are visible from the Earth's centre, all in one bin, weighted by their visible area.
 std::vector<LitPlace> places_of(const MoonRequest& moon, const almanac::SkyState& sky) {
   const shadow::Lookup whole(shadow::ChannelWeights(1, 1, 1.));
   const auto lit =

@@ -10,7 +10,7 @@
 
 namespace coppermoon::uses {
 
-/// Measured magnitude of the whole Moon, reduced to the Earth's centre and to above the air.
+/// Measured magnitude of the whole Moon, as it would be seen from the Earth's centre without air.
 struct MeasuredMagnitude {
   almanac::Instant instant;
   std::string band;    ///< B, V or R
@@ -18,19 +18,20 @@ struct MeasuredMagnitude {
   double error = 0.1;  ///< standard error, 0.001 to 0.99
 };
 
-/// Reads a comma-separated list of magnitudes with decimal points. The first line names the columns: instant, band,
-/// magnitude and optionally error, 0.001 to 0.99. An error that is absent or empty is taken as 0.1. Lines that begin
-/// with # and a byte-order mark are ignored. Any kind of line ending will do.
+/// Reads magnitudes from a comma-separated file. Numbers have decimal points. The first line names the columns:
+/// instant, band, magnitude and optionally error (0.001 to 0.99). If the error is absent or empty, it is 0.1. Lines
+/// that begin with # and a byte-order mark are ignored. Any kind of line ending is accepted.
 ///
-/// Throws  Error  with the line's number, for a repeated or unknown column, or for a line with more or fewer columns
-///                than the first, which decimal commas cause
+/// Throws  Error  with the line's number, when a column is repeated or unknown, or when a line has more or fewer
+///                columns than the first, as decimal commas would cause
 std::vector<MeasuredMagnitude> read_magnitudes(const std::string& file);
 
-/// Magnitudes from one moment as a data set. The computation's error, 0.02 mag, is added to each error in quadrature.
+/// Makes a data set of the magnitudes measured at one moment. The error of computed magnitudes, 0.02 mag, is added to
+/// each measurement's error in quadrature.
 ///
-/// Given   moon             light as in FittedLight, map and photometry
-///         sky              at that moment
-///         of_one_instant   magnitudes, whose own instants are ignored
+/// Given   moon             request for light, of which FittedLight uses a part; map and photometry
+///         sky              at the moment of the magnitudes
+///         of_one_instant   magnitudes; their own instants are ignored
 /// Throws  Error            when no eclipse is under way
 DataSet data_of(const MoonRequest& moon, Unknowns unknowns, const almanac::SkyState& sky,
                 const std::vector<MeasuredMagnitude>& of_one_instant,

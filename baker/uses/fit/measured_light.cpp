@@ -39,7 +39,7 @@ Plot plot_of(Nights nights) {
                                measured.light * std::exp(measured.error));
           model += fmt::format("{:.1f},{:.6g}\n", measured.distance_km, measured.model);
         }
-      model += '\n';  // no line from one night to the next
+      model += '\n';  // an empty line keeps nights from being joined
     }
     const std::string name = channel_names[k],
                       colour = fmt::format("lc rgb '{}'", channel_colours[k]);

@@ -9,18 +9,17 @@
 
 namespace coppermoon::uses {
 
-/// Writes light by distance from the shadow's axis, relative to full sunlight: as measured, and for the best air.
+/// Writes measured light and the light computed for the best air against distance from the shadow's axis, relative to
+/// full sunlight.
 ///
-/// Given   file    a table if it ends in .csv: night, distance_km, channel, light, error (relative), model; a plot
-///                 if it ends in .png, .svg or .pdf
+/// Given   file    if it ends in .csv, a table with columns night, distance_km, channel, light, error (relative) and
+///                 model; if it ends in .png, .svg or .pdf, a plot
 ///         nights  light for each camera and eclipse
-/// Throws  Error   with the file's name, for any other ending; as write_plot
+/// Throws  Error   with the file's name, for any other ending; otherwise as write_plot
 void write_measured_light(const std::filesystem::path& file,
                           std::span<const std::vector<MeasuredLight>> nights);
 
-/// Refuses a file with any other ending, or in a place where no file can be written.
-///
-/// Throws  Error   as write_measured_light
+/// Throws if write_measured_light could not write this file, because of its ending or its folder.
 void require_light_file(const std::filesystem::path& file);
 
 }  // namespace coppermoon::uses

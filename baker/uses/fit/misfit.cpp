@@ -10,18 +10,18 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Shares that count as most of a misfit, and as nearly all of it.
+/// Least shares of the total misfit that count as most of it, and as nearly all of it.
 constexpr double most_of_it = 0.6, nearly_all = 0.8;
 
-/// Distances from the shadow's axis at which the umbra's edge, and the ground beyond it, begin [km].
+/// Distances from the shadow's axis at which the edge of the umbra begins and ends [km].
 constexpr double edge_km = 4000, beyond_km = 4900;
 
-/// Part of χ² in excess of what is expected.
+/// By how much a misfit's χ² exceeds its expected value, the number of measurements.
 double excess(const Misfit& misfit) {
   return std::max(0., misfit.chi_squared - static_cast<double>(misfit.count));
 }
 
-/// Share of the total excess that comes from misfits meeting a condition.
+/// Share of the total excess of χ² that comes from misfits that meet a condition.
 double share_of(const std::vector<Misfit>& all, const std::function<bool(const Misfit&)>& chosen) {
   double sum = 0, whole = 0;
   for (const auto& misfit : all) {
@@ -31,7 +31,7 @@ double share_of(const std::vector<Misfit>& all, const std::function<bool(const M
   return whole > 0 ? sum / whole : 0;
 }
 
-/// Suspect if a single photograph misfits: its exposure if all channels differ alike, else its instant.
+/// Likely fault of a single misfitting photograph: its exposure if all channels differ alike, else its time.
 Suspect of_one_photograph(const std::vector<Misfit>& own) {
   double sum = 0, squares = 0, scatter = 0;
   for (const auto& misfit : own) {
@@ -45,7 +45,7 @@ Suspect of_one_photograph(const std::vector<Misfit>& own) {
                                                                    : Suspect::instant;
 }
 
-/// Whether photographs differ from each other more than the parts of one photograph do.
+/// Whether misfits vary more between photographs than within one photograph.
 bool change_in_time(const std::vector<Misfit>& all) {
   std::array<double, 3> sums{}, squares{}, within{};
   std::array<int, 3> counts{};

@@ -21,23 +21,24 @@ enum class Suspect {
   air          ///< differences are alike in all photographs that show the umbra
 };
 
-/// Names of suspects, in their order.
+/// Names of the suspects, in the order of the enumeration.
 inline constexpr std::array<std::string_view, 6> suspect_names{"instant", "exposure",   "colours",
                                                                "clock",   "tone curve", "air"};
 
-/// Likely reason for a misfit, and the photograph and channel that misfit most.
+/// Likely reason for a misfit, and the photograph and channel with the largest misfit.
 struct Suspicion {
   Suspect suspect;
   Misfit worst;                         ///< photograph and channel with the largest part of χ²
   std::vector<std::size_t> mirrored{};  ///< mirrored photographs, if not all are
 };
 
-/// Part of the shadow at a distance from its axis: "umbra", "edge of the umbra", "penumbra".
+/// Name of the part of the shadow at a distance from its axis: "umbra", "edge of the umbra" or "penumbra".
 const char* part_of_shadow(double axis_distance_km);
 
-/// Likely reason for a misfit, judged by its pattern over photographs, channels and distances from the shadow's axis.
+/// Likely reason why a fit's χ² is too large, judged by how misfits depend on photograph, channel and distance from the
+/// shadow's axis.
 ///
-/// Returned  nothing if there are no photographs, or if the errors account for χ²
+/// Returned  nothing if there are no photographs, or if χ² is no larger than expected
 std::optional<Suspicion> suspicion_of(const FitReport& report);
 
 }  // namespace coppermoon::uses

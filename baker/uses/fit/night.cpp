@@ -13,19 +13,19 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Photographs as placed and binned.
+/// The photographs of a night after they have been placed and binned.
 struct Look {
   std::vector<Placed> placed;
   std::vector<Binned> binned;
 };
 
-/// Air with the least χ² on a coarse grid.
+/// Goodness of fit and misfits for the air with the least χ² on a coarse grid.
 struct CoarseFit {
   GoodnessOfFit goodness{std::numeric_limits<double>::infinity()};
-  std::vector<Misfit> misfits{};  ///< in that air
+  std::vector<Misfit> misfits{};  ///< for that air
 };
 
-/// Model light for a night's photographs, in the rows of NightRows.
+/// Computes the light for a night's photographs, in rows as NightRows orders them.
 FittedLight light_of(const FitRequest& request, std::span<const Binned> binned, const Clock& clock,
                      FittedAirs airs, const algebra::Progress& progress,
                      const std::optional<AirRange>& range = {}) {
@@ -75,7 +75,7 @@ CoarseFit coarse_fit(const Stage& stage, std::span<const Binned> binned, const C
 /// Returned  whether a photograph was left out
 bool leave_out_worst(std::span<const Reading> readings, const CoarseFit& fit, Look& look) {
   constexpr double well = 0.8, stop = std::numbers::ln2, doubtful_stops = 1, any_stops = 3;
-  // judged by the channel that misfits least: a misplaced photograph misfits in all
+  // judged by the channel that differs least, because a misplaced photograph differs in all channels
   std::map<std::size_t, double> off;
   for (const auto& misfit : fit.misfits) {
     const auto [known, first] = off.try_emplace(misfit.photograph, misfit.mean);
@@ -111,9 +111,9 @@ void require_any(const FitRequest& request, std::span<const Placed> placed) {
       fmt::format("{}: {}", request.photographs.front().file, placed.front().left_out));
 }
 
-/// Places and bins photographs with a given clock, leaving out those that mislead.
+/// Places and bins photographs with a given clock correction, and leaves out those that would mislead the fit.
 ///
-/// Given  fit  set to the fit of the remaining photographs, if any were compared
+/// Given  fit  receives the coarse fit to the remaining photographs, or nothing if fewer than three remain
 Look look_at(const Stage& stage, std::span<const Reading> readings, const Clock& clock,
              std::optional<CoarseFit>& fit) {
   constexpr std::size_t least = 3;
@@ -131,13 +131,13 @@ Look look_at(const Stage& stage, std::span<const Reading> readings, const Clock&
   return look;
 }
 
-/// Clock found from light, with photographs kept where they are.
+/// Improves the clock correction by comparing light, without placing the photographs again.
 ///
-/// Given  fit  with the previous clock, if known
+/// Given  fit  coarse fit with the given clock, if known
 Clock told_by_light(const Stage& stage, std::span<const Binned> binned, Clock clock,
                     std::optional<CoarseFit> fit) {
   constexpr int most_steps = 8;
-  constexpr double linear_s = 60, most_s = 300;  // light is linear this close to a moment
+  constexpr double linear_s = 60, most_s = 300;  // light changes linearly within linear_s
   for (int step = 0; step < most_steps; ++step) {
     if (!fit) fit = coarse_fit(stage, binned, clock);
     const double further_s = std::clamp(fit->goodness.clock_s, -most_s, most_s);
@@ -148,13 +148,13 @@ Clock told_by_light(const Stage& stage, std::span<const Binned> binned, Clock cl
   return clock;
 }
 
-/// Whether cloud is given by chance, so that a fit uses its logarithm.
+/// Whether the fitted cloud is a factor on the chance of cloud, whose logarithm is fitted, and not a deck's cover.
 bool cloud_is_a_chance(const AirFit& fit) { return unknowns_of(fit.unknowns)[1].logarithmic; }
 
-/// Relative change in cloud used for the derivative of light.
+/// Relative change in cloud with which the derivative of light is computed.
 constexpr double more_cloud = 0.1;
 
-/// Unknowns of an air with more cloud than the best air.
+/// Values of the unknowns for air that has more cloud than the best air but is otherwise the same.
 AirNumbers clouded_numbers(const AirFit& fit) {
   auto numbers = fit.best;
   numbers[1] = cloud_is_a_chance(fit) ? numbers[1] * (1 + more_cloud)
@@ -182,7 +182,7 @@ Night first_look(FitRequest request, const algebra::Progress& progress) {
   auto clock = scanned_clock(stage, readings);
   std::optional<CoarseFit> fit;
   auto look = look_at(stage, readings, clock, fit);
-  // a misplaced shadow shifts registration by a tenth of its error, so photographs are placed again
+  // a shadow in the wrong place shifts the registration by a tenth as much, so photographs are placed again
   constexpr int most_turns = 3;
   constexpr double near_s = 15;
   for (int turn = 0; clock.error_s > 0 && turn < most_turns; ++turn) {

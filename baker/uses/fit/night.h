@@ -9,42 +9,45 @@
 
 namespace coppermoon::uses {
 
-/// Photographs from one camera and eclipse, and what each step made of them.
+/// Photographs from one camera and eclipse, with the result of each step of processing.
 struct Night {
-  FitRequest request;             ///< this night's photographs alone, with its camera's response
+  FitRequest request;             ///< for this night's photographs only, with the camera's response
   std::vector<Reading> readings;  ///< [photograph]
   Clock clock;
   std::vector<Placed> placed;  ///< [photograph]
-  std::vector<Binned> binned;  ///< the placed photographs, in their order
+  std::vector<Binned> binned;  ///< the photographs that could be placed
   FittedLight light;
   ComparedNight compared;
 };
 
-/// First look: reads the photographs, finds their clock, places and bins them, and computes light for all air.
+/// Processes a night for the first time: reads its photographs, finds their clock correction, places and bins them, and
+/// computes light over the whole range of air.
 ///
-/// It leaves out the photographs that leave_out_far rejects; then, one by one, those whose light no air explains along
-/// with that of the others. They are three stops off in all channels, or one stop if the Moon is poorly recognised or
-/// turned unlike most others. A single such photograph misleads a whole night.
+/// Photographs that leave_out_far rejects are left out. Then, one by one, those are left out whose light no air
+/// explains together with that of the others, because one such photograph misleads a whole night. Their light is wrong
+/// by three stops or more in all channels; one stop is enough if the Moon is poorly recognised or turned unlike most
+/// others.
 ///
 /// Given   request  photographs from one camera and eclipse
 /// Throws  Error    "<file>: …" when no photograph can be read or used, for the first of them
 Night first_look(FitRequest request, const algebra::Progress& progress = {});
 
-/// Why to process a night again with the air that was found, if at all.
+/// Reason to process a night again with the air that was found; Again::no if there is none.
 ///
-/// Light is computed nearby until the fit is well within its range. This does not apply to photographs with a tone
-/// curve: the curve's error exceeds that of interpolating light between nodes of the whole range.
+/// Light is computed again over a range near that air until the fit is well within the range. This is not done for
+/// photographs with a camera's tone curve, because the curve's error exceeds that of interpolating over the whole
+/// range.
 ///
-/// Given  turn  how often the night was processed again before: 0 after the first look
+/// Given  turn  number of times that the night was processed again before; 0 after the first look
 Again why_again(const Night& night, const AirFit& fit, int turn);
 
 /// Processes a night again with the air, tone curve and colours that were found.
 ///
-/// Given  why    if in_its_air, photographs are registered once more, in the best air
+/// Given  why    if in_its_air, photographs are also registered again, with the Moon computed for the best air
 ///        alive  called now and then; may throw to cancel
 Night looked_at_again(Night night, Again why, const AirFit& fit, const algebra::Progress& alive);
 
-/// The measurements of a night.
+/// The measurements of a night, as a data set for fitted_air.
 ///
 /// Given  night  must outlive the data set
 DataSet data_of(const Night& night);
@@ -52,9 +55,9 @@ DataSet data_of(const Night& night);
 /// How each photograph was read, in the night's order.
 std::vector<ReadPhotograph> photographs_of(const Night& night);
 
-/// What was found about a night in the air with the least χ²; photographs are indices in the night.
+/// What was found about a night, for the air with the least χ². Photographs are given by their indices in the night.
 ///
-/// Given  clock  correction that the fit found in addition to the night's own
+/// Given  clock  correction found by the fit, in addition to the one with which the night was processed
 FittedNight found_of(const Night& night, const AirFit& fit, const ClockError& clock);
 
 }  // namespace coppermoon::uses

@@ -10,10 +10,10 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Prior standard deviation (log units) of a nuisance about which nothing is known.
+/// Prior standard deviation of the logarithm of a quantity about which nothing is known.
 constexpr double unknown_deviation = 10;
 
-/// Mean y of two values with ln(a/b) = (a − b)/y.
+/// Logarithmic mean y of two values: ln(a/b) = (a − b)/y.
 double logarithmic_mean(double a, double b) {
   const double ratio = a / b - 1;
   return std::abs(ratio) < 1e-4 ? std::sqrt(a * b) : b * ratio / std::log1p(ratio);
@@ -26,7 +26,7 @@ std::array<double, 3> mixed(const std::array<double, 3>& light, const Mixing& mi
   return written;
 }
 
-/// Derivative of the logarithm of light with respect to axis distance [1/km], from the neighbouring bins.
+/// Derivative of the logarithm of light with respect to distance from the shadow's axis [1/km], from neighbouring bins.
 double logarithmic_slope(const Binned& photograph, std::size_t b, std::size_t k) {
   const auto& scene = *photograph.scene;
   const auto& values = photograph.light.values;
@@ -37,8 +37,8 @@ double logarithmic_slope(const Binned& photograph, std::size_t b, std::size_t k)
          (scene.distances_km[to] - scene.distances_km[from]);
 }
 
-/// Derivative of a measurement's logarithm with respect to the light that the camera adds from each channel, at the
-/// expected brightness.
+/// Derivative of a measurement's logarithm with respect to the elements of the camera's matrix that mix red, green and
+/// blue light into the measured channel.
 std::array<double, 3> growth_by_mixing(const Binned& photograph, const NightErrors& night,
                                        const NightRows& rows, const Measurement& measurement) {
   const auto& [p, b, k, logarithm, error, of_computation] = measurement;
@@ -49,7 +49,7 @@ std::array<double, 3> growth_by_mixing(const Binned& photograph, const NightErro
   const auto brightest =
       static_cast<std::size_t>(std::ranges::max_element(written) - written.begin());
   const auto seen = photograph.light.values.row(b);
-  // the photograph's own light, scaled to the brightness expected in its brightest channel
+  // measured light, scaled so that its brightest channel is as bright as expected
   const double as_bright =
       seen[brightest] > 0 ? seen[k] / seen[brightest] * written[brightest] : written[k];
   const double least = least_of_brightest * written[brightest];
@@ -58,8 +58,9 @@ std::array<double, 3> growth_by_mixing(const Binned& photograph, const NightErro
   return light;
 }
 
-/// Growth of the logarithm of light with less cloud, (photograph × bins + bin, channel), relative to its mean for red
-/// in the umbra; times weather_over_usual if cloud is given by chance. Empty if it is not known.
+/// How much less cloud brightens each bin and channel, relative to red light in the umbra on average: a grid
+/// (photograph × bins + bin, channel). It is multiplied by weather_over_usual if cloud is given by chance. The grid is
+/// empty if the effect of cloud is not known.
 algebra::Grid<double> dimming_by_cloud(std::span<const Binned> photographs,
                                        const NightErrors& night, const NightRows& rows) {
   constexpr double least_distance_km = 1000, most_distance_km = 4000;
@@ -85,7 +86,7 @@ algebra::Grid<double> dimming_by_cloud(std::span<const Binned> photographs,
   return all;
 }
 
-/// Nuisance of weather: a parameter for each part of the limb, change in time, and kind of weather.
+/// The nuisance "weather", with a parameter for each part of the limb, change in time, and kind of weather.
 Nuisance weather_of(std::span<const Binned> photographs, const NightErrors& night,
                     const NightRows& rows) {
   const bool any = std::ranges::any_of(
@@ -188,7 +189,7 @@ std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const Ni
        [=](const Measurement& m, std::size_t n) {
          return n / 2 == m.channel ? growth(m)[(n % 2) + (n % 2 >= m.channel)] : 0;
        }},
-      // their covariance is that of the cameras around the assumed one
+      // gives the error the covariance of the cameras around the assumed one
       {"filters", night, cameras,
        [=](const Measurement&) { return 1 / std::sqrt(static_cast<double>(cameras)); },
        [=](const Measurement& m, std::size_t n) {

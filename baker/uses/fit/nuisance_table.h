@@ -20,17 +20,18 @@ namespace coppermoon::uses {
 using Mixing = std::array<std::array<double, 3>, 3>;
 inline constexpr Mixing no_mixing{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-/// Weights of linear R, G, B (Rec.709) in luminance.
+/// Weights with which linear Rec.709 red, green and blue add up to luminance.
 inline constexpr std::array luminance_of_rec709{0.2126, 0.7152, 0.0722};
 
-/// Rows of a grid (row, X Y Z) that holds the light computed for an air in the bins of a night's photographs.
+/// Order of the rows in a grid (row, X Y Z) of light computed for the bins of a night's photographs.
 ///
-/// For each photograph in turn, the rows are its bins at one moment, then at the next. The moments are a minute before
-/// its own, its own, and a minute after, if the clock may be wrong; else its own alone.
+/// For each photograph in turn, there is a row for each of its bins at one moment, then at the next. If the clock may
+/// be wrong, there are three moments: a minute before the photograph's own, its own, and a minute after. Otherwise
+/// there is only its own.
 struct NightRows {
   std::size_t moments = 1, bins = 0;
 
-  /// Row for a bin at a photograph's own moment.
+  /// Row of a bin at the photograph's own moment.
   std::size_t own(std::size_t photograph, std::size_t bin) const {
     return at(photograph, moments / 2, bin);
   }
@@ -39,26 +40,26 @@ struct NightRows {
   }
 };
 
-/// Offsets from each photograph's moment at which to compute light, for its derivative with respect to the clock [s].
-/// The middle one is 0.
+/// Offsets from a photograph's moment for which light is computed [s]. They give the derivative of light with respect
+/// to the clock correction. The middle one is 0.
 std::vector<double> clock_steps_s(double clock_error_s);
 
-/// What is known about a night's light before comparison; errors are linear around it.
+/// What is known about a night's clock, camera and light before they are fitted. Errors are linearised around it.
 struct NightErrors {
-  double clock_error_s = 0;   ///< standard error of the clock; 0: instants are exact
-  double clock_mean_s = 0;    ///< mean of the clock's error, relative to the scenes' instants
-  colour::ToneCurve curve{};  ///< with which light was binned, if it was not linear
+  double clock_error_s = 0;   ///< standard error of the clock; 0 if times are exact
+  double clock_mean_s = 0;    ///< prior mean of the correction, added to the scenes' times
+  colour::ToneCurve curve{};  ///< curve undone before binning, if light was not linear
   Mixing mixing = no_mixing;  ///< expected for the camera
   algebra::Grid<double>
-      expected{};  ///< light for the best air, in NightRows; if empty, the usual air's
+      expected{};  ///< light for the best air, in NightRows; if empty, usual air is used
   algebra::Grid<double> clouded{};  ///< light for that air with more cloud; empty if not known
-  double clouded_by = 0;  ///< ln(chance of cloud in `clouded` / in `expected`); 0: cloud is a deck
+  double clouded_by = 0;  ///< ln(chance of cloud in `clouded` / in `expected`); 0 for a deck
 };
 
-/// Rows for the light that a night's photographs are compared with.
+/// Row order for the computed light of a night's photographs.
 NightRows rows_of(std::span<const Binned> photographs, const NightErrors& night);
 
-/// Whether the camera's matrix is uncertain.
+/// Whether the colour matrix of the camera is uncertain.
 bool is_mixed(std::span<const Binned> photographs);
 
 /// A measurement: the logarithm of light in one bin and channel of a photograph.
@@ -66,25 +67,26 @@ struct Measurement {
   std::size_t photograph, bin, channel;
   double logarithm;
   double error;           ///< independent error of this measurement
-  double of_computation;  ///< error of the computation, which nearby bins share
+  double of_computation;  ///< error of computed light, shared by nearby bins
 };
 
-/// Whether a nuisance has its parameters once for the night or for each photograph.
+/// Whether all photographs of a night share a nuisance's parameters, or each photograph has its own.
 enum class SharedBy { night, photograph };
 
-/// A row in the table of nuisances: parameters of one kind.
+/// A row in the table of nuisances: one kind of error, with one or more parameters.
 struct Nuisance {
   std::string_view name;
   SharedBy shared_by;
-  std::size_t count;  ///< number of parameters, for the night or for each photograph
-  /// Prior standard deviation of the parameters that affect this measurement; 0 if none does.
+  std::size_t count;  ///< number of parameters per night or per photograph
+  /// Prior standard deviation of the parameters, as they affect a measurement; 0 if they do not affect it.
   std::function<double(const Measurement&)> prior;
-  /// Derivative of the measurement's logarithm with respect to one parameter.
+  /// Derivative of a measurement's logarithm with respect to one of the parameters.
   std::function<double(const Measurement&, std::size_t parameter)> derivative;
 };
 
-/// Nuisances of a night: exposure, white balance, tone curve, the camera's matrix, saturation and filters, and weather
-/// along the limb. Each photograph adds its own: shutter, white balance, sky, place and glow.
+/// Table of the nuisances of a night. The night shares exposure, white balance, tone curve, the camera's matrix,
+/// saturation and filters, and weather along the limb. Each photograph has its own shutter, white balance, sky, place
+/// and glow.
 ///
 /// Given  photographs, night  must outlive the table
 std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const NightErrors& night);
@@ -96,11 +98,14 @@ struct Design {
   std::size_t first_own = 0;  ///< first column of the photographs' own parameters
 };
 
-/// Given  table  nuisances of the night first, then those of photographs
+/// Design matrix that results from a table of nuisances.
+///
+/// Given  table  with the night's nuisances first, then those of single photographs
 Design design_of(std::span<const Nuisance> table, std::span<const Measurement> measurements,
                  std::size_t photographs);
 
-/// A bin's light in linear Rec.709 as a camera writes it. Each channel is at least `least` times the brightest one.
+/// A bin's light as a camera with this matrix writes it, in linear Rec.709. Each channel is raised to at least `least`
+/// times the brightest one.
 std::array<double, 3> as_written(std::span<const double> xyz, const Mixing& mixing, double least);
 
 }  // namespace coppermoon::uses

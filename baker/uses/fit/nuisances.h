@@ -8,19 +8,20 @@
 
 namespace coppermoon::uses {
 
-/// Marginalised nuisance parameters of a linear model. Residuals r depend on parameters u (an exposure, a
-/// colour, a number of a tone curve) through a design matrix A, with noise e of covariance D:
+/// Linear model whose nuisance parameters are marginalised. Residuals r depend on parameters u (such as the error of an
+/// exposure, a colour, or a tone curve) through a design matrix A. Their noise e has covariance D:
 ///
 ///     r = A u + e        u ~ N(0, 1), e ~ N(0, D)        C = D + A Aᵀ
 ///
-/// D is block-diagonal: noise is correlated within a block. By the Woodbury identity C is never formed:
+/// D is block-diagonal, so noise is correlated only within a block. C is not computed itself, because its inverse
+/// follows from the Woodbury identity:
 ///
 ///     C⁻¹ = D⁻¹ − D⁻¹ A M⁻¹ Aᵀ D⁻¹        M = 1 + Aᵀ D⁻¹ A
 class Nuisances {
  public:
   Nuisances() = default;
   /// Given  noise   blocks of D, in the order of the residuals, each positive definite or empty
-  ///        design  A: (residual, parameter); without columns, one parameter with no effect is used
+  ///        design  A: (residual, parameter); if it has no columns, one parameter without effect is added
   Nuisances(std::span<const algebra::Grid<double>> noise, algebra::Grid<double> design);
 
   /// Whitened residuals and parameters: with D = K Kᵀ and M = L Lᵀ, `noise` is K⁻¹ r and `parameters` is
@@ -36,14 +37,14 @@ class Nuisances {
   /// Part of the residuals that the posterior mean u of the parameters explains: A u.
   std::vector<double> explained(std::span<const double> residuals) const;
 
-  /// Part of the residuals that `count` parameters explain, starting with number `first`.
+  /// Part of the residuals that `count` of the parameters explain, starting with parameter `first`.
   std::vector<double> explained(std::span<const double> residuals, std::size_t first,
                                 std::size_t count) const;
 
-  /// C⁻¹ r.
+  /// Residuals multiplied by the inverse covariance: C⁻¹ r.
   std::vector<double> weighed(std::span<const double> residuals) const;
 
-  /// Standard error of a weighted mean, from the noise and the posterior covariance of the parameters.
+  /// Standard error of a weighted mean of the residuals, due to noise and the posterior covariance of the parameters.
   double error_of_mean(std::span<const double> weights) const;
 
  private:
@@ -53,7 +54,7 @@ class Nuisances {
   algebra::Grid<double> factor_;              // L, lower triangle
 };
 
-/// aᵀ C⁻¹ b.
+/// Product aᵀ C⁻¹ b of two whitened vectors of residuals.
 double product(const Nuisances::Whitened& a, const Nuisances::Whitened& b);
 
 }  // namespace coppermoon::uses

@@ -19,10 +19,10 @@ namespace {
 
 using Channel = algebra::Grid<float>;
 
-/// Light above which a channel may be clipped; lower than any limit in `binned`.
+/// Light above which a channel may be clipped. It is lower than any limit that `binned` uses.
 constexpr float nearly_clipped = 0.84F;
 
-/// Quantisation step of an 8-bit channel near black, in linear light; 0 if it has more than 256 values.
+/// Quantisation step near black of channel `k`, in linear light; 0 if the channel has more than 8 bits.
 double step_of(const texture::Image& photo, std::size_t k) {
   constexpr std::size_t most = 256;
   std::unordered_set<float> values;
@@ -32,7 +32,7 @@ double step_of(const texture::Image& photo, std::size_t k) {
   return 1 / 12.92 / 255;
 }
 
-/// Value for a square of pixels that become one.
+/// Value of the pixel to which a square of pixels is shrunk.
 float shrunk_pixel(const texture::Image& photo, std::size_t top, std::size_t left, std::size_t k,
                    std::size_t side) {
   float sum = 0, most = 0;
@@ -48,7 +48,7 @@ float shrunk_pixel(const texture::Image& photo, std::size_t top, std::size_t lef
   return most > nearly_clipped ? most : 2 * black > all ? 0 : sum / static_cast<float>(all);
 }
 
-/// A luminance shrunk to a relative size of 1 or less.
+/// Luminance of a picture shrunk by a factor of 1 or less.
 Channel smaller(const Channel& luminance, double size) {
   const auto extent = [&](std::size_t pixels) {
     return static_cast<std::size_t>(static_cast<double>(pixels) * size);
@@ -58,7 +58,8 @@ Channel smaller(const Channel& luminance, double size) {
                                        extent(luminance.columns()));
 }
 
-/// Disc in a photograph; if noise hides its limb, found at half or a quarter of the size.
+/// Finds the Moon's disc in a photograph. If noise hides the limb, the photograph is tried at half and a quarter of its
+/// size.
 colour::Disc disc_in(const Channel& luminance) {
   for (const double size : {1., 0.5, 0.25})
     if (const auto disc = colour::limb_of(smaller(luminance, size)))
@@ -69,7 +70,8 @@ colour::Disc disc_in(const Channel& luminance) {
       "lost in noise");
 }
 
-/// Registration by a luminance, at full or reduced size.
+/// Registers a scene by a luminance. If that fails, it is tried again at half and a quarter of the size, unless
+/// `roughly`.
 colour::Registration registered_by(const Channel& luminance, const FitScene& scene,
                                    const MoonPart& moon, const std::optional<double>& scale,
                                    bool roughly) {
@@ -77,7 +79,7 @@ colour::Registration registered_by(const Channel& luminance, const FitScene& sce
   for (double size = 1;; size /= 2) {
     try {
       colour::KnownBefore known{.scale = scale, .roughly = roughly};
-      // in fine registration both discs come from their limbs, whose errors are alike
+      // fine registration finds both discs by their limbs, because the errors of both are then alike
       if (roughly) known.in_render = scene.disc;
       if (size == 1) known.in_photo = moon.disc;
       if (scale) *known.scale *= size;
@@ -95,7 +97,7 @@ colour::Registration registered_by(const Channel& luminance, const FitScene& sce
   }
 }
 
-/// Pixel size of the photograph or the scene, whichever is larger, relative to the scene's.
+/// Size of the photograph's or the scene's pixels, whichever are larger, in pixels of the scene.
 double larger_pixel(const colour::Registration& registration) {
   return 1 / std::min(1., registration.render_to_photo.scale);
 }

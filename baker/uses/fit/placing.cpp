@@ -7,20 +7,22 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Correlation above which the Moon is recognised beyond doubt.
+/// Correlation from which the Moon counts as recognised.
 constexpr double well = 0.8;
 
-/// Whether two scales can come from the same lens.
+/// Whether two image scales are close enough to come from the same lens.
 bool is_alike(double one, double other) {
   constexpr double alike = 0.02;
   return std::abs(one / other - 1) < alike;
 }
 
-/// Converts a registration's scale to that of the whole picture [pixels/rad].
+/// Factor that converts a registration's scale to the scale of the whole picture [pixels/rad].
 double px_per_scale(const Reading& reading, const FitScene& scene) {
   return reading.moon.shrunk / scene.pixel_rad;
 }
 
+/// Registers one photograph in the scene at its corrected time.
+///
 /// Given  px_per_rad  scale of the whole picture, if known
 Placed placed_one(const Stage& stage, const Reading& reading, std::size_t index, double clock_s,
                   std::optional<double> px_per_rad, Registering how) {
@@ -42,7 +44,8 @@ Placed placed_one(const Stage& stage, const Reading& reading, std::size_t index,
   }
 }
 
-/// Scale on which pictures of a photograph's size agree best, by the sum of correlations; 0 if there is none.
+/// Scale that photographs of the same size as this one agree on best, judged by the sum of their correlations; 0 if
+/// none was registered.
 double agreed_px_per_rad(std::span<const Reading> readings, std::span<const Placed> all,
                          std::size_t index) {
   const auto counts = [&](std::size_t i) {
@@ -62,7 +65,7 @@ double agreed_px_per_rad(std::span<const Reading> readings, std::span<const Plac
   return agreed;
 }
 
-/// Placed photographs in the order of placing: those at the others' scale come last.
+/// Indices of the placed photographs. Those registered at the scale of the others come last.
 std::vector<std::size_t> order_of(std::span<const Placed> all) {
   std::vector<std::size_t> order;
   for (const bool late : {false, true})
@@ -71,7 +74,8 @@ std::vector<std::size_t> order_of(std::span<const Placed> all) {
   return order;
 }
 
-/// A photograph registered at the others' scale; left out if it then looks less like the Moon.
+/// Decides about a photograph that was registered again at the scale of the others. It is left out if it then looks
+/// less like the Moon.
 Placed in_scale(Placed found, const Placed& before, const Reading& reading) {
   constexpr double as_well = 0.9;
   const double alike = before.left_out.empty() ? before.registration.correlation : 0,
@@ -120,11 +124,11 @@ std::vector<Placed> placed_again(const Stage& stage, std::span<const Reading> re
       const auto again =
           registration_of(scene, readings[i].moon,
                           agreed_px_per_rad(readings, all, i) / px_per_scale(readings[i], scene));
-      if (again.correlation < all[i].registration.correlation - less_alike) continue;  // misplaced
+      if (again.correlation < all[i].registration.correlation - less_alike) continue;  // worse than before
       all[i].registration = again;
       scene.glow = glow_of(scene);
       all[i].scene = std::make_shared<const FitScene>(std::move(scene));
-    } catch (const algebra::Error&) {  // keep its registration in the usual air
+    } catch (const algebra::Error&) {  // keep the registration made with the usual air
     }
   }
   return all;

@@ -17,7 +17,7 @@ Indices sizes_of(const Axes& axes) { return {axes[0].size(), axes[1].size(), axe
 /// Number of steps into which each step of a grid is divided.
 constexpr std::size_t refinement = 4;
 
-/// An axis with each step divided by `refinement`.
+/// Divides each step of an axis into `refinement` equal steps.
 std::vector<double> finer(const std::vector<double>& axis) {
   std::vector<double> all;
   for (std::size_t i = 0; i + 1 < axis.size(); ++i)
@@ -28,9 +28,9 @@ std::vector<double> finer(const std::vector<double>& axis) {
   return all;
 }
 
-/// Values on a refined axis, from the cubic polynomial through the four nearest points.
+/// Interpolates values along one axis of a grid to a refined axis, by cubics through the four nearest points.
 ///
-/// Given  before  product of the numbers of points on the slower axes
+/// Given  before  number of points of the grid spanned by the axes before this one
 std::vector<double> finer_along(const std::vector<double>& axis, std::size_t before,
                                 const std::vector<double>& values) {
   const auto places = finer(axis);
@@ -50,7 +50,7 @@ std::vector<double> finer_along(const std::vector<double>& axis, std::size_t bef
   return all;
 }
 
-/// Calls `act` with the indices of each grid point and its number, the last axis running fastest.
+/// Calls `act` for each grid point, with its indices and its serial number. The last axis runs fastest.
 template <class Act>
 void for_each_point(const Axes& axes, const Act& act) {
   const auto [n0, n1, n2] = sizes_of(axes);
@@ -82,7 +82,7 @@ double quantile(const std::vector<double>& axis, const std::vector<double>& dens
   return axis[i - 1] + width * std::clamp(way, 0., 1.);
 }
 
-/// Variance of the uniform prior.
+/// Variance of a uniform prior over the whole axis.
 double prior_variance(const std::vector<double>& axis) {
   const double length = axis.back() - axis.front();
   return length * length / 12;
@@ -112,7 +112,7 @@ Posterior posterior(const Axes& axes, const std::vector<double>& chi_squared) {
   const auto covariance = [&](std::size_t a, std::size_t b) {
     return moments[a][b] / sum - mean[a] * mean[b] / (sum * sum);
   };
-  constexpr double one_sigma = 0.158655;  // tail of a normal distribution beyond it
+  constexpr double one_sigma = 0.158655;  // part of a normal distribution below −σ
   for (std::size_t a = 0; a < 3; ++a) {
     result.estimates[a] = {quantile(axes[a], density[a], 0.5),
                            quantile(axes[a], density[a], one_sigma),

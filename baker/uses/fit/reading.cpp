@@ -7,8 +7,9 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Exposure from the request, else from the header; nothing unless complete. If a common factor is free, any constant
-/// may replace an unknown f-number, or the ISO speed of a camera that has a gain instead.
+/// Exposure of a photograph as the request states it, else from the file's header; nothing if it is incomplete. If a
+/// night's exposures share an unknown factor, any constant serves as an unknown f-number, or as the ISO speed of a
+/// camera that has a gain instead.
 std::optional<colour::Exposure> exposure_of(const EclipsePhotograph& photograph,
                                             const CameraSettings& header, bool free) {
   const auto time_s = photograph.time_s ? photograph.time_s : header.time_s;
@@ -26,7 +27,7 @@ PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& 
   constexpr double of_exposures = 0.1, free = 10;
   const bool curved = reading.curved, raw = texture::is_raw_file(photograph.file);
   const auto header = settings_of(photograph.file);
-  // a sensor's counts, or a gain in place of the ISO speed, give light up to a common factor
+  // sensor counts, or a gain instead of an ISO speed, give light only up to a common factor
   const bool relative = reading.clipped_at || (header.gain && !photograph.iso && !header.iso);
   PhotometricErrors errors{
       .exposure_error = request.exposure_error.value_or(curved || relative ? free : of_exposures),
@@ -35,7 +36,7 @@ PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& 
           curved ? of_automatic_white_balance : of_known_colours),
       .white_balance_fixed = white_balance_is_fixed(photograph.file),
       .weather_error = request.weather_error.value_or(curved || raw ? 0.1 : 0)};
-  // cameras' matrices are off by a few per cent; a raw file's is known if its filters are
+  // a camera's matrix is wrong by a few per cent, except for a raw file from known filters
   if (curved || (raw && !request.moon.response)) errors.mixing_error = 0.03;
   if (curved) errors.saturation_error = 0.2;  // JPEG styles scale saturation by 0.8 to 1.3
   if (const auto exposure = exposure_of(photograph, header, errors.exposure_error >= free))

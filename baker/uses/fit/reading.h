@@ -10,19 +10,19 @@
 
 namespace coppermoon::uses {
 
-/// What a photograph's file contains, whatever its moment.
+/// What was read from a photograph's file, before anything is computed for its moment.
 struct Reading {
-  std::string left_out{};  ///< why no Moon was read, in one line; empty if one was
+  std::string left_out{};  ///< why no Moon was read, in one line; empty if one was found
   MoonPart moon{};
   std::array<std::size_t, 2> extent{};    ///< width and height of the whole picture [pixels]
-  bool curved = false;                    ///< whether it has its camera's own tone curve
-  std::optional<ClippedAt> clipped_at{};  ///< number in the file that became 1, if not 1 itself
-  PhotometricErrors errors{};             ///< all but the error of its place
+  bool curved = false;                    ///< whether its tone curve is its camera's own
+  std::optional<ClippedAt> clipped_at{};  ///< value in the file that counts as 1, if not 1
+  PhotometricErrors errors{};             ///< without place_error_km
 };
 
-/// Reads a photograph.
+/// Reads a photograph and finds the Moon in it.
 ///
-/// Given  request  for its response and its errors of exposure, colours and weather
+/// Given  request  supplies the camera's response and the errors of exposure, colours and weather
 Reading reading_of(const FitRequest& request, const EclipsePhotograph& photograph);
 
 }  // namespace coppermoon::uses

@@ -31,7 +31,8 @@ using std::numbers::pi;
 
 constexpr std::size_t texture_rows = 512;
 
-/// Least cosine of the emission angle for compared ground: nearer the limb, map errors and blur are larger.
+/// Least cosine of the emission angle of ground that is compared. Nearer the limb, errors of the map and blur are
+/// larger.
 constexpr double least_cosine = 0.4;
 
 constexpr std::size_t bin_count = 16;
@@ -44,7 +45,7 @@ ViewRequest close_view(ViewRequest view, const almanac::SkyState& sky) {
   return view;
 }
 
-/// Texture of the sunlit ground in white light.
+/// Map of the Moon's ground as the Sun lights it in white light, without the shadow.
 Channel sunlit_map(const MoonRequest& moon, const FitGroundwork& groundwork,
                    const almanac::SkyState& sky) {
   const auto* ground = groundwork.ground.get();
@@ -79,7 +80,7 @@ std::vector<Ground> grounds_of(const povray_scenes::SceneCamera& camera,
   return grounds;
 }
 
-/// Picture of a map: each pixel has the map's value at its ground.
+/// Projects a map to a picture: each pixel has the map's value at the ground it shows.
 Channel picture_of(const Channel& map, const std::vector<Ground>& grounds) {
   Channel picture(fit_side_px, fit_side_px);
   for (const auto& ground : grounds)
@@ -88,7 +89,7 @@ Channel picture_of(const Channel& map, const std::vector<Ground>& grounds) {
   return picture;
 }
 
-/// Bins the pixels well within the limb in even steps of axis distance.
+/// Assigns the pixels well within the limb to bins, in equal steps of distance from the shadow's axis.
 void bin(FitScene& scene, const Channel& sunlit, const std::vector<Ground>& grounds,
          const surface::Ground* by_place) {
   double least = 1e12, most = 0;
@@ -116,7 +117,7 @@ void bin(FitScene& scene, const Channel& sunlit, const std::vector<Ground>& grou
   for (std::size_t b = 0; b < bin_count; ++b) scene.distances_km[b] /= std::max(1., counts[b]);
 }
 
-/// Request for light to register photographs by, accurate to 5 %.
+/// Request for light with which photographs are registered. It needs to be accurate only to 5 %.
 LightRequest to_register(const LightRequest& light) {
   LightRequest coarse;
   coarse.air = light.air;
@@ -127,7 +128,7 @@ LightRequest to_register(const LightRequest& light) {
   return coarse;
 }
 
-/// X, Y, Z of each pixel with ground, under the usual air, seen from space.
+/// X, Y, Z of each pixel that shows ground, computed for the usual air and seen from space.
 std::vector<std::array<double, 3>> usual_light(const FitGroundwork& groundwork,
                                                const Channel& sunlit,
                                                const std::vector<Ground>& grounds) {
@@ -146,7 +147,7 @@ algebra::Grid<double> xyz_of_moonlight(const std::optional<std::string>& respons
                            sightline);
 }
 
-/// The Moon in linear Rec.709, seen through the air above.
+/// Picture of the Moon in linear Rec.709, seen through the air above the observer.
 colour::Image moon_in_rgb(const FitScene& scene, const std::optional<std::string>& response,
                           const std::vector<Ground>& grounds,
                           std::span<const std::array<double, 3>> light) {
@@ -173,8 +174,8 @@ algebra::Grid<double> over_sunlit(const FitScene& scene, const colour::Image& pi
   return values;
 }
 
-/// Weights of moonlight through a response, then as seen by each other camera and the CIE 1931 observer: (X Y Z of
-/// each, band).
+/// Weights that give X, Y, Z of moonlight in one response, then in each other camera's and the CIE 1931 observer's: a
+/// grid with rows X, Y, Z of each and a column for each band.
 algebra::Grid<double> through_all_filters(const std::optional<std::string>& response) {
   std::vector<algebra::Grid<double>> all{xyz_of_moonlight(response)};
   auto names = colour::camera_spectra_names();
@@ -187,7 +188,7 @@ algebra::Grid<double> through_all_filters(const std::optional<std::string>& resp
   return weights;
 }
 
-/// Differences for FitScene::by_filters.
+/// Computes FitScene::by_filters.
 std::vector<algebra::Grid<double>> differences_by_filters(const FitScene& scene,
                                                           const shadow::Lookup& by_filters) {
   algebra::Grid<double> sums(scene.bins, by_filters.channels());
@@ -276,7 +277,7 @@ FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
 }
 
 colour::Image glow_of(const FitScene& scene) {
-  constexpr float share = 0.5;  // any share: it cancels out
+  constexpr float share = 0.5;  // any share will do, because it cancels out
   auto glow = colour::with_glow(scene.moon, share, scene.pixel_rad);
   for (std::size_t i = 0; i < glow.values().size(); ++i)
     for (std::size_t k = 0; k < 3; ++k)

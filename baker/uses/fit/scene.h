@@ -21,82 +21,83 @@
 
 namespace coppermoon::uses {
 
-/// Size of a scene's pixel at the middle of the disc.
+/// Size on the Moon of a scene's pixel in the middle of the disc [km].
 inline constexpr double fit_pixel_km =
     2 * algebra::in_kilometres(almanac::lunar_radius) / (fit_disc_share * fit_side_px);
 
-/// Least ratio of a channel's light to the brightest channel's: cameras do not write less.
+/// Least ratio of a channel's light to the brightest channel's light. Cameras do not write smaller ratios.
 inline constexpr double least_of_brightest = 0.003;
 
-/// The ground shown by one pixel of the scene, well within the limb.
+/// The ground shown by a pixel of a scene. Only pixels well within the limb have one.
 struct FitGround {
   std::size_t pixel;  ///< row × columns + column
   glm::dvec3 ground;  ///< unit vector, Moon-fixed
   double sunlit;      ///< light without the shadow; 1 for white ground at 1 au
-  double colour;      ///< colour c as in surface::Ground; 0 for the mean Moon
+  double colour;      ///< ground's colour c, as in surface::Ground; 0 for the mean Moon
   std::size_t bin;    ///< step of distance from the shadow's axis
 };
 
-/// The Moon at one moment as an observer sees it, fit_side_px on a side, with which photographs are compared.
+/// Picture of the Moon at one moment as an observer sees it, to be compared with photographs. Its sides are
+/// fit_side_px.
 struct FitScene {
   almanac::SkyState sky;
-  algebra::Grid<float> usual;  ///< luminance under the usual air, for registration
+  algebra::Grid<float> usual;  ///< luminance for the usual air, for registration
   colour::Disc disc;           ///< in `usual`
   std::vector<FitGround> grounds;
   std::size_t bins = 0;
   std::vector<double> distances_km;  ///< [bin] mean distance from the axis
-  algebra::Grid<double> weights;     ///< (X Y Z, band): weights of moonlight through the air above
+  algebra::Grid<double> weights;     ///< (X Y Z, band): weights of moonlight seen through the air
   double pixel_rad = 0;              ///< angular size of a pixel
-  colour::Image moon;                ///< under the usual air, linear Rec.709
-  colour::Image glow = {};           ///< as glow_of; empty if not computed yet
+  colour::Image moon;                ///< for the usual air, in linear Rec.709
+  colour::Image glow = {};           ///< from glow_of; empty if not yet computed
   algebra::Grid<double> usual_values;  ///< (bin, channel): light of `moon` / sunlit light
-  /// (bin, channel) for each other camera: logarithm of the light through its filters over that through the response;
-  /// empty if the response is known.
+  /// Grid (bin, channel) for each other camera, with the logarithm of light through its filters / light through the
+  /// assumed response. Empty if the response is known.
   std::vector<algebra::Grid<double>> by_filters = {};
 };
 
 /// Map and light that all scenes of one eclipse share.
 struct FitGroundwork {
   algebra::Grid<float> albedo;                    ///< normal albedo
-  std::shared_ptr<const surface::Ground> ground;  ///< colour and surge by place; uniform if nullptr
-  shadow::Lookup usual;  ///< X, Y, Z of moonlight under the usual air, seen from space
-  /// X, Y, Z of the usual light through the response, then through each other camera's filters; absent if the response
-  /// is known.
+  std::shared_ptr<const surface::Ground> ground;  ///< map of colour and surge; nullptr if uniform
+  shadow::Lookup usual;  ///< X, Y, Z of moonlight for the usual air, seen from space
+  /// X, Y, Z of moonlight for the usual air, through the assumed response and then through each other camera's filters.
+  /// Absent if the response is known.
   std::optional<shadow::Lookup> by_filters = {};
 };
 
-/// Moonlight in linear Rec.709, brought into the gamut as in renders; 1e-12 or more.
+/// Converts moonlight to linear Rec.709 and brings it into the gamut as for renders. Channels are 1e-12 or more.
 ///
 /// Given  xyz  of moonlight, in any unit
 std::array<double, 3> rec709_of(std::span<const double> xyz);
 
-/// Moonlight of sunlit ground in linear Rec.709, as rec709_of.
+/// Light of sunlit ground outside the shadow, converted by rec709_of.
 ///
 /// Given  weights  (X Y Z, band)
 std::array<double, 3> sunlight_of(const algebra::Grid<double>& weights);
 
-/// Groundwork of an eclipse.
+/// Computes the groundwork for the scenes of an eclipse.
 ///
-/// Given   moon   light as in FittedLight, map
+/// Given   moon   request for light, map and response
 ///         skies  in order of time, at most a few minutes apart
-///         response_assumed  whether the response stands in for an unknown camera's
-/// Throws  Error  when no eclipse is under way at any of them
+///         response_assumed  whether the response is that of another camera, because the camera's is unknown
+/// Throws  Error  when no eclipse is under way in any of the skies
 FitGroundwork groundwork_of(const MoonRequest& moon, std::span<const almanac::SkyState> skies,
                             bool response_assumed = false);
 
-/// Scene at one moment.
+/// Computes the scene at one moment.
 ///
-/// Given   moon        photometry
+/// Given   moon        photometry and response; the rest is ignored
 ///         groundwork  for the same Moon and eclipse
-///         view        observer, and the air above; its frame is ignored
-/// Throws  Error       as view_of; when no eclipse is under way
+///         view        observer, and the air above; the frame is ignored
+/// Throws  Error       when no eclipse is under way; as view_of
 FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
                    const ViewRequest& view, const almanac::SkyState& sky);
 
-/// Glow of a scene's Moon, as if the lens scattered all its light; linear Rec.709.
+/// Glow around a scene's Moon as if the lens scattered all of its light, in linear Rec.709.
 colour::Image glow_of(const FitScene& scene);
 
-/// Whether all of the Moon lies within the umbra.
+/// Whether the whole Moon lies within the umbra.
 bool lies_in_umbra(const almanac::SkyState& sky);
 
 }  // namespace coppermoon::uses

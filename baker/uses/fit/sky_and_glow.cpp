@@ -9,7 +9,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Standard deviation of values that include outliers, from their median absolute deviation.
+/// Standard deviation, estimated from the median absolute deviation, on which outliers have little effect.
 double spread_of(AroundTheDisc values) {
   constexpr double of_normal = 1.4826;
   const double middle = median_of(values);
@@ -17,7 +17,7 @@ double spread_of(AroundTheDisc values) {
   return of_normal * median_of(values);
 }
 
-/// A pixel in the ring around the disc, and its sector.
+/// A pixel in the ring around the disc, and the sector of the ring it lies in.
 struct RingPixel {
   std::size_t pixel, sector;
 };

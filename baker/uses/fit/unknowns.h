@@ -8,10 +8,10 @@
 
 namespace coppermoon::uses {
 
-/// Unknowns of the air that a fit looks for: three numbers, for aerosol, cloud and ozone.
+/// The three properties of the air that a fit determines, for aerosol, cloud and ozone.
 enum class Unknowns {
-  factors,  ///< on the month's stratospheric aerosol, on its chance of cloud, on its ozone
-  amounts  ///< dust [1/m], share of the limb under a deck of cloud (in place of cloud by chance), ozone [DU]
+  factors,  ///< factors on the month's stratospheric aerosol, chance of cloud, and ozone
+  amounts  ///< dust [1/m], share of the limb under a deck of cloud (replaces the chance of cloud), ozone [DU]
 };
 
 /// One unknown: its name as a parameter of the air, and its prior, which is uniform between two limits.
@@ -23,7 +23,8 @@ struct Unknown {
   double least, most;
   bool logarithmic;  ///< whether the prior is uniform in the logarithm
 
-  /// Converts a value to its place on a posterior's axis, its logarithm if the prior is logarithmic, and back.
+  /// Convert a value to its place on a posterior's axis, and back. The place is the value's logarithm if the prior is
+  /// logarithmic, else the value itself.
   double on_axis(double value) const;
   double from_axis(double place) const;
 };
@@ -40,16 +41,16 @@ const std::array<Unknown, 3>& unknowns_of(Unknowns unknowns);
 /// Limits of the unknowns: least and greatest value for aerosol, cloud and ozone.
 using AirRange = std::array<std::array<double, 2>, 3>;
 
-/// Limits of the priors.
+/// Limits of the priors of all three unknowns.
 AirRange whole_range(Unknowns unknowns);
 
-/// Unknowns that suit an air: factors if it has a chance of cloud and a month's aerosol, else amounts.
+/// Kind of unknowns that suits an air: factors if it has a chance of cloud and a month's aerosol, else amounts.
 Unknowns usual_unknowns(const Air& air);
 
-/// Air with all fitted factors set to 1, so that factors on it equal the values of the parameters.
+/// Air with all fitted factors set to 1, so that fitted factors are the parameters' values themselves.
 Air with_unit_factors(Air air);
 
-/// Air of a request with the unknowns set to these values, as for a bake.
+/// Air with the unknowns set to the given values.
 Air with_unknowns(Air air, Unknowns unknowns, const AirNumbers& numbers);
 
 }  // namespace coppermoon::uses

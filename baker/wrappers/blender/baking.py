@@ -12,9 +12,9 @@ class Baked:
     """What a bake yields: textures in the order of their frames, the light of each disc, and contacts by name.
 
     Given  contacts  moments in UTC
-           shaded    shader of the film and textures of the sunlit Moon, if the film's own textures are small
+           shaded    the film's shader, and textures of the sunlit Moon, if the film's own textures are small
            measured  illuminance by texture path, as far as it is already known
-           skies     the sky of each texture, if there is an observer's place
+           skies     the sky at each texture's moment, if the observer has a place
            domes     files of the night sky, one for each texture, if requested
     """
 
@@ -29,18 +29,18 @@ def light_of(texture):
 
 
 def parts_of(contacts, textures):
-    """Contacts between the first texture and the last, each as a fraction of the time between, which is under a day."""
+    """Contacts during a film, as fractions of the time from the first texture to the last, which is under a day."""
     if not contacts:
         return {}
     first = textures[0].second()
     length = (textures[-1].second() - first) % 86400
-    # Headers have whole seconds, so the first and the last contact may lie half a second outside.
+    # Headers give whole seconds, so the first and the last contact may lie half a second outside the film.
     since = {name: (second_of_day(moment) - first + 1) % 86400 - 1 for name, moment in contacts.items()}
     return {name: min(max(s / length, 0), 1) for name, s in since.items() if length and s <= length + 1}
 
 
 def eclipses(first, last):
-    """Yields like `program.run`, and returns the almanac's eclipses between two moments."""
+    """Returns the program's list of eclipses between two moments. Yields progress like `program.run`."""
     return json.loads("".join((yield from program.run(["almanac", "--json", f"--from={first}", f"--to={last}"]))))
 
 
@@ -74,7 +74,7 @@ def film_folder(day, words):
 
 
 def film_words(wanted):
-    """Command for a film's textures, small ones if a shader draws the film, and for small frames with the exposures."""
+    """Command that makes a film's textures (small if a shader draws the film), and small frames with the exposures."""
     words = ["animate", f"--eclipse={values.day_of(wanted)}", *values.options(wanted), *values.span(wanted),
              f"--frames={wanted.frames}", "--make=textures,frames", "--width=64", "--height=64", "--stars=off"]
     if not (wanted.in_sky and wanted.night):  # the world has no night sky
@@ -110,9 +110,9 @@ def bake_film(wanted):
 
 
 def bake(wanted):
-    """Yields (what, part done) while the program works, and returns Baked. Closing it ends the program.
+    """Yields (what, part done) while the program works, and returns Baked. Closing the generator ends the program.
 
-    Given  wanted  plain values
+    Given  wanted  values from `values.plain`
     """
     values.require_sound(wanted)
     baked = yield from (bake_film if wanted.film else bake_moment)(wanted)
@@ -155,7 +155,7 @@ def show(of_moon, baked):
 
 
 def new_eclipse(context, own_scene, in_sky=False):
-    """Adds a Moon that does not shine yet, and its light; to a scene of its own also an observer, to a sky stars."""
+    """Adds a Moon that does not shine yet, and its lamp. A new scene also gets a camera, an existing sky also stars."""
     scene = film.new_scene() if own_scene else context.scene
     of_moon = moon.new_moon(scene)
     wanted = of_moon.coppermoon

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Node group "Eclipse shadow": the ratio of the light on the Moon to full sunlight, at a place and a time. It comes
-from a strip image and the steps of a formula, which `coppermoon shader` writes into eclipse.json."""
+"""Node group "Eclipse shadow": the ratio of the light on the Moon to full sunlight, at a place and a time. It is
+computed from a strip image by the steps of a formula, which `coppermoon shader` writes into eclipse.json."""
 import json
 import os
 
@@ -13,7 +13,7 @@ from .texture import second_of_day
 from .wrong import Wrong
 
 NAME = "Eclipse shadow"
-# Blender's name for each operation, and NumPy's function.
+# For each operation, Blender's name and NumPy's function.
 MATHS = {"add": ("ADD", numpy.add), "subtract": ("SUBTRACT", numpy.subtract), "multiply": ("MULTIPLY", numpy.multiply),
          "divide": ("DIVIDE", numpy.divide), "min": ("MINIMUM", numpy.minimum), "sqrt": ("SQRT", numpy.sqrt),
          "atan2": ("ARCTAN2", numpy.arctan2), "floor": ("FLOOR", numpy.floor)}
@@ -24,7 +24,7 @@ FUNCTIONS = {"clamp": lambda a: numpy.clip(a, 0, 1), "mix": lambda a, b, share: 
 
 
 class Shader:
-    """The shader in a folder that `coppermoon shader` has made."""
+    """A shader, read from a folder that `coppermoon shader` has made."""
 
     def __init__(self, folder):
         path = os.path.join(folder, "eclipse.json")
@@ -49,7 +49,7 @@ class Shader:
         return image
 
     def texel(self, u, v):
-        """Texels, linearly interpolated; v counts from the top of the image."""
+        """Values of the strip image, linearly interpolated; v is measured from the top of the image."""
         if self.texels is None:
             image = self.image()
             width, height = image.size
@@ -80,7 +80,7 @@ class Shader:
 
 
 class Builder:
-    """Builds the nodes for the formula's steps in a group."""
+    """Builds nodes for the steps of a shader's formula in a node group."""
 
     def __init__(self, group, shader):
         self.group, self.shader = group, shader
@@ -129,7 +129,7 @@ class Builder:
 
 
 def add_sockets(group):
-    """Gives a group the inputs Place and Time and the output Light."""
+    """Gives a node group the inputs Place and Time and the output Light."""
     sockets = (("Place", "INPUT", "NodeSocketVector"), ("Time", "INPUT", "NodeSocketFloat"),
                ("Light", "OUTPUT", "NodeSocketColor"))
     for name, way, kind in sockets:
@@ -153,7 +153,7 @@ def new_group(shader):
 def drive(owner, path, first, last):
     """Makes a property change linearly with the scene's frame.
 
-    Given  first, last  (frame, value)
+    Given  first, last  two pairs (frame, value)
     """
     slope = (last[1] - first[1]) / (last[0] - first[0])
     owner.driver_remove(path)
@@ -163,7 +163,7 @@ def drive(owner, path, first, last):
 
 
 def unshadow(material):
-    """Makes a material show its image texture alone."""
+    """Removes the nodes of a shader from a material, so that it shows its image texture alone."""
     tree = material.node_tree
     ours = [node for node in tree.nodes if node.name.startswith(NAME)]
     for node in ours:
@@ -180,7 +180,7 @@ def shadow_nodes(material, shader, textures, later):
 
     Given  later  image of the sunlit Moon in the last frame, into which the first frame's image is blended
 
-    Returned  socket for one more colour to multiply by
+    Returned  socket for another colour that the result is multiplied by
     """
     unshadow(material)
     tree = material.node_tree
@@ -211,7 +211,7 @@ def shadow_nodes(material, shader, textures, later):
 
 
 def shade(material, shader, sunlit, textures, lights):
-    """Makes a material show a film with a shader, as bright in each frame as the frame's texture.
+    """Makes a material show a film by means of a shader, each frame as bright as its small texture.
 
     Given  sunlit    textures of the sunlit Moon in the first and in the last frame; the first is in the material
            textures  small textures of the film, with each frame's observer

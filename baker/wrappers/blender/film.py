@@ -30,14 +30,14 @@ def new_scene():
 
 
 def users_device():
-    """The device that the user's preferences choose for Cycles, as a scene's setting."""
+    """The value of a scene's setting "device" ("CPU" or "GPU") that follows from the user's preferences for Cycles."""
     cycles = bpy.context.preferences.addons.get("cycles")
     kind = getattr(cycles.preferences, "compute_device_type", "NONE") if cycles else "NONE"
     return "CPU" if kind == "NONE" else "GPU"
 
 
 def set_render(scene):
-    """Sets up rendering to OpenEXR in cd/m², with each pixel the mean over its area."""
+    """Sets up rendering to OpenEXR in cd/m², where each pixel is the mean over its area."""
     scene.render.engine = "CYCLES"
     cycles = scene.cycles
     cycles.device = users_device()
@@ -56,7 +56,7 @@ def set_render(scene):
 def set_time(scene, textures, parts, wanted):
     """Sets the time line from the first texture to the last, with a marker at each contact.
 
-    Given  parts   for each contact's name, its fraction of the time from the first to the last texture
+    Given  parts   fractions of the time from the first to the last texture, by the contacts' names
            wanted  the Moon's values
     """
     for name in ("P1", "U1", "U2", "U3", "U4", "P4"):
@@ -91,8 +91,8 @@ def remove_curve(owner, path):
 
 
 def exposure(texture, lux):
-    """Exposure of the view [stops] at a texture's moment. It is what the program chose for the film's frame beside the
-    texture or, if there is no frame, follows from the disc's mean. None if the disc is dark.
+    """Exposure of the view [stops] at a texture's moment; None if the disc is dark. If the film's frame is beside the
+    texture, it is the exposure that the program chose for the frame; otherwise it follows from the disc's mean light.
     """
     folder, name = os.path.split(texture.path)
     frame = os.path.join(folder, name.replace("moon_", "frame_", 1))

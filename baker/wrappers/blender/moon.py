@@ -50,8 +50,8 @@ def new_mesh():
 
 
 def keep_from_sampling(material):
-    """Keeps Cycles from sampling the sphere as a light, since the lamp lights the scene. Otherwise Cycles would choose
-    the lamp, which seems dimmer than the sphere, too seldom, and whatever it lights would be noisy."""
+    """Keeps Cycles from sampling the sphere as a light, because the lamp lights the scene. Otherwise Cycles would
+    sample the lamp, which seems dimmer than the sphere, too rarely, and whatever the lamp lights would be noisy."""
     cycles = getattr(material, "cycles", None)
     if hasattr(cycles, "emission_sampling"):
         cycles.emission_sampling = "NONE"
@@ -88,7 +88,7 @@ def texture_node(moon):
 
 
 def loaded(path, texture, name):
-    """Loads an image, in the colour space of a texture."""
+    """Loads an image with the colour space of a texture."""
     image = bpy.data.images.load(path)
     if min(image.size) == 0:
         bpy.data.images.remove(image)
@@ -106,7 +106,7 @@ def image_of(texture):
 
 
 def put_textures(moon, textures):
-    """Makes the Moon shine with these textures; in a film, with one in each frame."""
+    """Makes the Moon shine with a texture or, in a film, with one texture in each frame."""
     node, image = texture_node(moon), image_of(textures[0])
     if len(textures) > 1:
         image.name += " film"

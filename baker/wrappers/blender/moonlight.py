@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Moonlight in a scene: a Sun lamp. Its strength is an illuminance in lux if radiance is luminance in cd/m²."""
+"""Moonlight in a scene: a Sun lamp. Its strength is the illuminance in lux where a radiance of 1 means 1 cd/m²."""
 import math
 
 import bpy
@@ -13,7 +13,7 @@ ROWS = 128  # of the shrunk texture; enough for its light to 0.2 %
 
 
 def shrunk(texture):
-    """The texels of a texture shrunk to ROWS rows: [row × column][RGB], from the south up, scene-linear."""
+    """The scene-linear texels of a texture that is shrunk to ROWS rows: [row × column][RGB], from south to north."""
     image = bpy.data.images.load(texture.path)
     try:
         set_colours(image, texture)
@@ -26,7 +26,7 @@ def shrunk(texture):
 
 
 def places_of_texels():
-    """Unit vectors to the texels of a shrunk texture, [row × column][axis], Moon-fixed."""
+    """Unit vectors from the Moon's centre to the texels of a shrunk texture, [row × column][axis], Moon-fixed."""
     step = numpy.pi / ROWS
     latitude, longitude = numpy.meshgrid(step * (numpy.arange(ROWS) + 0.5) - numpy.pi / 2,
                                          step * (numpy.arange(2 * ROWS) + 0.5) - numpy.pi, indexing="ij")
@@ -38,10 +38,10 @@ def places_of_texels():
 def illuminance(texels, texture):
     """Illuminance by channel [lux] on a surface that faces the Moon at the observer's place:
 
-        E = sum L cos e dA / d^2        e: emission angle, d: texel to observer
+        E = sum L cos e dA / d^2        e: emission angle, d: distance from texel to observer
 
     Given  texels   L, from `shrunk`
-           texture  the texture whose observer is meant
+           texture  the texture whose header has the observer's place
     """
     places = places_of_texels()
     south, east = math.radians(texture.latitude), math.radians(texture.longitude)
@@ -54,7 +54,7 @@ def illuminance(texels, texture):
     return [max(0.0, float(value)) for value in weight @ texels]
 
 
-# Luminance of each channel in the working spaces of Blender 5, under the Color Interop Forum's names.
+# Luminance of each channel in the working spaces of Blender 5, by the Color Interop Forum's names for these spaces.
 LUMINANCE = {
     "lin_rec709_scene": (0.2126, 0.7152, 0.0722),
     "lin_rec2020_scene": (0.2627, 0.6780, 0.0593),
@@ -70,7 +70,7 @@ def luminance(colour):
 
 
 def new_lamp(scene, moon):
-    """Adds the lamp. The sphere stays visible, directly and in mirrors, but does not light the scene: the lamp does."""
+    """Adds a lamp, which lights the scene instead of the sphere. The sphere stays visible, directly and in mirrors."""
     lamp = bpy.data.objects.new("Moonlight", bpy.data.lights.new("Moonlight", "SUN"))
     lamp.rotation_mode = "QUATERNION"
     lamp.parent = moon
@@ -81,7 +81,7 @@ def new_lamp(scene, moon):
 
 
 def keep_dim_light(scene):
-    """Turns off the threshold below which Cycles drops light at random: moonlight is below its default."""
+    """Turns off the threshold below which Cycles drops light at random, because moonlight is below the default."""
     if hasattr(scene, "cycles"):
         scene.cycles.light_sampling_threshold = 0
 

@@ -12,7 +12,7 @@ WIDTH = 1024  # of the sky [texels]; stars are a separate mesh
 
 
 def file_beside(texture, of_film):
-    """The file for a texture's sky, beside the texture; a film's skies are in a folder."""
+    """The path of the file for a texture's sky: beside the texture or, for a film, in the subfolder sky."""
     folder, name = os.path.split(texture.path)
     if of_film:
         return os.path.join(folder, "sky", f"sky.{texture.number():04d}.exr")
@@ -20,7 +20,7 @@ def file_beside(texture, of_film):
 
 
 def domes(wanted, textures):
-    """Yields like `program.run`, and returns a sky file for each texture. Existing files are not made again."""
+    """Makes a sky file for each texture unless it exists, and returns all files. Yields progress like `program.run`."""
     light = [word for word in values.options(wanted) if not word.startswith("--texture-width")]
     files = []
     for texture in textures:
@@ -36,12 +36,12 @@ def domes(wanted, textures):
 
 
 def sky_texels(tree, place, scale):
-    """Adds a node with the sky's texels to a tree. The socket `place`, times `scale`, is the direction of view."""
+    """Adds a node with the sky's texels to a tree. The direction of view is the socket `place` times `scale`."""
     turned = add(tree, "Mapping", {
         "Vector": place,
         "Rotation": (0, 0, -math.pi / 2),  # the image's middle, +X, is north
         "Scale": (scale, scale, scale),
-        # half a texel up, so that the sky's lowest row reaches the horizon without a dark edge from the ground
+        # Shifted half a texel up, so that the sky's lowest row reaches the horizon without a dark edge from the ground.
         "Location": (0, 0, math.pi / WIDTH)}, (-300, -400))
     return add(tree, "TexEnvironment", {"Vector": turned.outputs["Vector"]}, (0, -400))
 
@@ -57,7 +57,7 @@ def new_world():
 
 
 def texels_before(material):
-    """Node with the sky's texels in the Moon's material: the air in front of the Moon shines like that beside it."""
+    """Adds the sky's light to the Moon's material, because air also shines in front of the Moon. Returns its node."""
     tree = material.node_tree
     if known := first(tree, "TEX_ENVIRONMENT"):
         return known
@@ -72,8 +72,8 @@ def texels_before(material):
 
 
 def put_world(of_moon, textures, files):
-    """Lights the Moon's scene with these skies; in a film, one in each frame. Each also shines in front of the Moon.
-    The user's own world is kept."""
+    """Makes the Moon's scene use a sky as its world (in a film, one sky per frame), which also shines in front of the
+    Moon. The user's own world is kept in the file."""
     wanted, scene = of_moon.coppermoon, of_moon.users_scene[0]
     if not wanted.world:
         wanted.world = new_world()

@@ -6,8 +6,8 @@ import bpy
 def add(tree, kind, inputs=(), at=(0, 0), **settings):
     """Adds a node to a tree.
 
-    Given  kind    its type, without "ShaderNode"
-           inputs  by name or number: either sockets to link to, or values
+    Given  kind    type of the node, without "ShaderNode"
+           inputs  sockets to link to or values, by the input's name or number
     """
     node = tree.nodes.new(kind if kind.startswith("NodeGroup") else f"ShaderNode{kind}")
     node.location = at
@@ -35,7 +35,7 @@ def emptied(owner):
 
 
 def show(node, image, textures):
-    """Makes a node show an image or, for a film, in each frame of the scene the file for this frame."""
+    """Makes a node show an image or, for a film, one image in each frame of the scene."""
     before, node.image = node.image, image
     if before and before.users == 0:
         bpy.data.images.remove(before)

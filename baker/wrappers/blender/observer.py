@@ -17,7 +17,7 @@ def axes_of(texture, up):
     back = Vector((math.cos(latitude) * math.cos(longitude),
                    math.cos(latitude) * math.sin(longitude), math.sin(latitude)))
     north = back.cross(east)
-    # Position angles are counter-clockwise in the picture, where the Moon's east is on the right.
+    # Position angles are measured counter-clockwise in the picture, where the Moon's east is on the right.
     turn = {"moon-north": lambda: 0,
             "celestial-north": lambda: texture.axis,
             "zenith": lambda: texture.axis - texture.attribute("parallactic_angle")}[up]()
@@ -26,7 +26,7 @@ def axes_of(texture, up):
 
 
 def turn(thing, axes):
-    """Turns an object the shorter way from its last rotation, so that its X, Y and Z point along these axes."""
+    """Turns an object so that its X, Y and Z point along three axes, by the shorter way from its last rotation."""
     turned = Matrix(axes).transposed().to_quaternion()
     turned.make_compatible(thing.rotation_quaternion)
     thing.rotation_quaternion = turned
@@ -43,7 +43,7 @@ def new_camera(scene, moon):
 def set_lens(data, render, wanted):
     """Fits the field into the shorter side of the picture, unless the user has chosen another lens since."""
     wide = render.resolution_x * render.pixel_aspect_x > render.resolution_y * render.pixel_aspect_y
-    # Set the focal length, since Blender accepts no angle below 0.37 degrees.
+    # Set the focal length, because Blender accepts no angle below 0.37 degrees.
     side = data.sensor_height if wide else data.sensor_width
     values.put(wanted, data, anew=values.changed(wanted, "field"),
                sensor_fit="VERTICAL" if wide else "HORIZONTAL", lens=side / 2 / math.tan(wanted.field / 2))

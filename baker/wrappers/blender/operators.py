@@ -17,7 +17,7 @@ PAUSE_S = 0.1
 
 
 def result(steps):
-    """Runs a generator to its end and gives the value that it returns."""
+    """Runs a generator to its end, and returns the value that the generator returns."""
     while True:
         try:
             next(steps)
@@ -27,7 +27,7 @@ def result(steps):
 
 
 class Running:
-    """The bake in progress in the background, if any; there is only one at a time."""
+    """A bake that is running in the background. There is at most one at a time, called `now`."""
     now = None
 
     def __init__(self, moon):
@@ -40,7 +40,7 @@ class Running:
 
 
 def moon_named(name):
-    """The Moon with a name. Moons are kept by name, since undo makes new objects at other addresses."""
+    """The Moon with the given name. Moons are remembered by name, because undo makes new objects at other addresses."""
     moon = bpy.data.objects.get(name)
     return moon if moon and moon.coppermoon.is_moon else None
 
@@ -53,7 +53,7 @@ def redraw(context):
 
 
 def reported(execute):
-    """Makes an operator's method `execute` report what is wrong, and cancels the operator."""
+    """Wraps an operator's method `execute`, so that a Wrong is reported to the user and cancels the operator."""
     def execute_or_cancel(self, context):
         try:
             return execute(self, context) or {"FINISHED"}
@@ -142,7 +142,7 @@ class StopBaking(bpy.types.Operator):
         return {"FINISHED"}
 
 
-# The list of eclipses, kept here since Blender holds no reference to what the function returns.
+# Lists of eclipses by years, kept here because Blender holds no reference to what the function below returns.
 listed = {}
 
 

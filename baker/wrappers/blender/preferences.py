@@ -25,7 +25,7 @@ class CoppermoonPreferences(bpy.types.AddonPreferences):
 
 
 def chosen(name):
-    """The value of a preference; empty if the add-on was only enabled for one session, with --addons."""
+    """The value of a preference; empty if the add-on is enabled for one session only, by --addons."""
     addon = bpy.context.preferences.addons.get(__package__)
     return bpy.path.abspath(getattr(addon.preferences, name)) if addon else ""
 
@@ -52,7 +52,7 @@ def beside_file():
 
 
 def cache_folder():
-    """The folder for textures until the scene is saved, which is the cache of OpenImageIO's reader."""
+    """The folder for textures until the scene is saved. OpenImageIO's reader of eclipses uses the same cache."""
     if os.environ.get("COPPERMOON_CACHE"):
         return os.path.abspath(os.environ["COPPERMOON_CACHE"])
     cache = os.environ.get("XDG_CACHE_HOME", "")

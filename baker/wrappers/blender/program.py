@@ -12,7 +12,7 @@ ESCAPES = re.compile(r"\x1b\[[0-9;]*[A-Za-z]")
 
 
 class Stream:
-    """The text that has come from a file descriptor so far."""
+    """Collects the text that comes from a file descriptor."""
 
     def __init__(self, descriptor):
         self.descriptor = descriptor
@@ -20,7 +20,7 @@ class Stream:
         os.set_blocking(descriptor, False)
 
     def read(self):
-        """Reads what has come so far."""
+        """Reads all text that has arrived so far."""
         try:
             while some := os.read(self.descriptor, 65536):
                 self.text += some.decode("utf-8", "replace")
@@ -28,16 +28,16 @@ class Stream:
             pass
 
     def lines(self):
-        """The whole lines that have come since the last call."""
+        """The complete lines that have arrived since the last call."""
         *whole, self.text = re.split(r"[\r\n]+", self.text)
         return [line for line in (ESCAPES.sub("", line).strip() for line in whole) if line]
 
 
 def run(words, take=lambda line: None):
-    """Runs the program step by step: yields (what, part done) whenever the caller asks, several times a second, and
-    returns the lines of stdout. Closing the generator ends the program.
+    """Runs the program. Yields (what, part done) whenever the caller asks, which should be several times a second, and
+    finally returns the lines of stdout. Closing the generator ends the program.
 
-    Given   take  called with each line as it comes
+    Given   take  function that is called with each line as it arrives
     Throws  Wrong  if the program fails, with its last message
     """
     path = preferences.program()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Keeps a saved scene's textures in the folder coppermoon beside the .blend file, since a cache may be emptied."""
+"""Keeps a saved scene's textures in the folder coppermoon beside the .blend file, because caches may be emptied."""
 import os
 import shutil
 import sys
@@ -10,7 +10,7 @@ from . import preferences
 
 
 def name_in_cache(path):
-    """The part of a path below the cache folder; None if it is outside."""
+    """The part of a path below the cache folder; None if the path is outside that folder."""
     path = os.path.abspath(bpy.path.abspath(path))
     cache = os.path.join(os.path.abspath(preferences.cache_folder()), "")
     return path.removeprefix(cache) if path.startswith(cache) else None
@@ -33,7 +33,7 @@ def link_or_copy(source, target):
 
 
 def bring(image):
-    """Also puts the image's file, or a film's whole folder, beside the .blend file."""
+    """Links or copies an image's file, or a film's whole folder, to the folder beside the .blend file."""
     name = name_in_cache(image.filepath)
     first = name.split(os.sep)[0]
     source, folder = os.path.join(preferences.cache_folder(), first), preferences.beside_file()
@@ -48,7 +48,7 @@ def bring(image):
 
 @bpy.app.handlers.persistent
 def keep_textures(*_):
-    """Handler called after a scene is saved, since its place is known only then. It saves the scene again."""
+    """Handler that runs after a scene is saved, because only then is its folder known. It saves the scene again."""
     images = left_in_cache()
     try:
         for image in images:

@@ -18,14 +18,14 @@ NONE = -5  # brighter than any star
 
 
 def direction(place):
-    """The unit vector to a place in the sky as the program gives it [degrees]."""
+    """The unit vector to a place in the sky, whose altitude and azimuth the program gives in degrees."""
     altitude = math.radians(place["altitude_deg"])
     azimuth = math.radians(place["azimuth_deg"])
     return Vector((math.cos(altitude) * math.sin(azimuth), math.cos(altitude) * math.cos(azimuth), math.sin(altitude)))
 
 
 def skies(wanted, textures):
-    """Yields like `program.run`; returns the program's account of the sky for each texture, the first with stars."""
+    """Returns a description of the sky for each texture, the first with stars; yields like `program.run`."""
     accounts = []
     for texture in textures:
         lines = yield from program.run(["sky", f"--instant={texture.instant()}", f"--at={wanted.place.strip()}",
@@ -35,7 +35,7 @@ def skies(wanted, textures):
 
 
 def scale(scene):
-    """The number of a scene's units in a lunar radius."""
+    """The radius of the Moon as it is shown, in the scene's units of length."""
     return 1000 * MOON_RADIUS_KM / NEARER / scene.unit_settings.scale_length
 
 
@@ -64,7 +64,7 @@ def star_material():
 
 
 def star_mesh(stars, distance, side):
-    """A mesh with one square for each star, which faces the origin.
+    """A mesh with one square for each star, facing the origin.
 
     Given  side  angle across the square [rad], over which the star's illuminance is spread
     """
@@ -89,7 +89,7 @@ def pixel(scene):
 
 
 def hang_stars(stars, scene, textures, skies_seen):
-    """Puts the first moment's stars behind the Moon. In a film they turn about the celestial pole."""
+    """Puts the stars of the first moment behind the Moon. In a film they turn about the celestial pole."""
     side = 2 * pixel(scene) if scene.camera else math.radians(0.05)
     old = stars.data
     stars.data = star_mesh(skies_seen[0]["stars"], BEYOND * scale(scene) * textures[0].distance, side)

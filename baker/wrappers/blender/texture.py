@@ -8,7 +8,7 @@ from .wrong import Wrong
 
 MOON_RADIUS_KM = 1737.4
 
-# What each coppermoon:colour_space is called in colour/config.ocio, in Blender 4's own configuration, and in 3's.
+# The name of each coppermoon:colour_space in colour/config.ocio, in Blender 4's own configuration and in Blender 3's.
 COLOUR_SPACES = {
     "lin_rec709": ("Linear Rec.709 (sRGB)", "Linear Rec.709", "Linear"),
     "acescg": ("ACEScg", "Linear ACEScg"),
@@ -16,8 +16,8 @@ COLOUR_SPACES = {
 }
 
 
-# The header of an OpenEXR file has a magic number, a version, and then attributes with name, type, size and value,
-# until an empty name.
+# The header of an OpenEXR file has a magic number, a version, and then attributes with name, type, size and value. An
+# empty name ends it.
 
 
 def text_until_null(file):
@@ -58,7 +58,7 @@ def header_of(path):
 
 
 class Texture:
-    """A baked texture and its observer, in degrees and lunar radii."""
+    """A baked texture and its observer's position, in degrees and lunar radii."""
 
     def __init__(self, path):
         self.path = os.path.abspath(path)
@@ -106,7 +106,7 @@ class Texture:
 
 
 def key(owner, texture, *paths):
-    """Sets keyframes for properties at the frame of a film's texture."""
+    """Sets keyframes for properties at a texture's frame, if the texture belongs to a film."""
     for path in paths if texture.of_film else ():
         owner.keyframe_insert(path, frame=texture.frame())
 
@@ -127,7 +127,7 @@ def stem_of(path):
 def textures_of(path):
     """The texture in a file, or all textures in a film's folder in the order of their frames.
 
-    Throws  Wrong  if a frame is missing, since Blender finds files by number alone, beside the first
+    Throws  Wrong  if a frame is missing, because Blender finds the files after the first by their numbers alone
     """
     if not os.path.isdir(path):
         return [Texture(path)]

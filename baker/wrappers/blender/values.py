@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The values that an eclipse is made from, which its Moon keeps, and the program's options for them."""
+"""The values from which an eclipse is made and which its Moon keeps, and the program's options for these values."""
 import json
 import math
 import os
@@ -36,7 +36,7 @@ def described():
 
 
 def hint(word, meaning):
-    """Finds a word's meaning in its parameter's: "clear: air and ozone only; …", "draft (5 %), …". May be empty."""
+    """What a meaning, such as "clear: air and ozone only; …" or "draft (5 %), …", says of a word; empty if nothing."""
     found = re.search(rf"\b{re.escape(word)}(?:: ([^;]*)| \(([^)]*)\))", meaning)
     text = found and (found[1] or found[2]) or ""
     return text[:1].upper() + text[1:]
@@ -48,7 +48,7 @@ PARAMETERS = described()
 def choice(name, parameter, description, first=()):
     """A property for a parameter whose value is one of several words.
 
-    Given  first  words that come first, in this order, since a .blend file stores a word's position, not the word
+    Given  first  words that must come first, in this order, because a .blend file stores only a word's position
     """
     known = PARAMETERS[parameter]
     words = [*first, *(word for word in known["words"] if word not in first)]
@@ -63,7 +63,7 @@ def ends(parameter):
 
 
 class Values:
-    """Values asked for, of the operator that adds a Moon and of the Moon itself."""
+    """The values that the user sets, in the operator that adds a Moon and later in the Moon itself."""
     date: StringProperty(
         name="Date", default="2018-07-27",
         description="Day of greatest eclipse (UTC), as 2018-07-27; or a moment in UTC, as "
@@ -149,11 +149,11 @@ def changed(wanted, name):
 
 
 def put(wanted, owner, anew=False, **settings):
-    """Sets values together, unless the user has changed one of them since the last time.
+    """Sets several properties, unless the user has changed one of them since they were last set.
 
     Given     wanted  the Moon's values, which remember what was set
-              anew    set the values even if the user has changed them
-    Returned  whether they were set
+              anew    true sets the properties even if the user has changed them
+    Returned  whether the properties were set
     """
     known = json.loads(wanted.last_set)
     now = {name: getattr(owner, name) for name in settings}
@@ -171,7 +171,7 @@ def was_set(wanted, name):
 
 
 def remember(wanted, name):
-    """Makes the present value the one that `changed` compares against."""
+    """Remembers the present value of a property, for `changed` to compare with."""
     wanted.last_set = json.dumps(json.loads(wanted.last_set) | {name: getattr(wanted, name)})
 
 
@@ -181,7 +181,7 @@ def has_sky(source):
 
 
 def plain(source):
-    """A copy of the values, since Blender's own are gone after an undo."""
+    """A copy of the values, because Blender's own values are lost after an undo."""
     return SimpleNamespace(in_sky=has_sky(source), **{name: getattr(source, name) for name in NAMES})
 
 
@@ -194,7 +194,7 @@ def is_day(values):
 
 
 def require_sound(values):
-    # A date from a stranger's file could be an option or a path.
+    # A date in a stranger's file could otherwise be an option or a path.
     if not re.fullmatch(r"[+-]?\d[\w:.+ -]*", values.date.strip(), re.ASCII):
         raise Wrong(f"date = {values.date.strip()}; allowed is a day, as 2018-07-27, or a moment in UTC, "
                     "as 2018-07-27T20:40Z")
@@ -215,7 +215,7 @@ def moment(values):
 
 
 def options(values):
-    """The program's options for everything but the moment. They use "=", since a place may begin with a minus."""
+    """The program's options for everything but the moment. They use "=", because a place may begin with a minus."""
     words = [f"--atmosphere={values.air}", f"--quality={values.quality}",
              f"--texture-width={values.texture_width}", f"--space={values.space}"]
     if values.by_danjon:

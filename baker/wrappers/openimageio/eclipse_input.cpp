@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// OpenImageIO's reader for eclipses. A recipe whose name ends in .eclipse counts as an image: the texture that
-// `coppermoon bake` makes from it. The program bakes the texture into a folder when the recipe is first read; later
-// reads use that file. So the baking never runs inside the host, and a faulty recipe cannot crash it.
+// Reader with which OpenImageIO opens eclipses. A recipe whose name ends in .eclipse counts as an image, namely the
+// texture that `coppermoon bake` makes from it. The program bakes the texture into a folder when the recipe is first
+// read; later reads use that file. So baking never runs inside the host, and a faulty recipe cannot crash it.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/strutil.h>
@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view ending = ".eclipse";
 
 /// Options that may follow a file's name, as in moon.eclipse?texture-width=2048&instant=2018-07-27. No others are
-/// allowed: whoever names a file in a scene must not be able to make us write another file.
+/// allowed, because a file name in a scene must not be able to make us write other files.
 constexpr std::array allowed_options{"at",        "instant", "quality", "space", "texture-width",
                                      "tolerance", "type"};
 
@@ -45,7 +45,7 @@ struct Request {
 /// The file that a name begins with, even if the options after it cannot be read.
 fs::path file_in(const std::string& name) { return name.substr(0, name.find('?')); }
 
-/// Throws  Error  if an option cannot be read or is not allowed
+/// Splits a name into a file and its options. Throws Error if an option cannot be read or is not allowed.
 Request request_of(const std::string& name) {
   Request request;
   std::string file;
@@ -60,7 +60,7 @@ Request request_of(const std::string& name) {
   return request;
 }
 
-/// Finds the program: beside this library's folder, as in the build; where it was installed; or on the PATH.
+/// Finds the program beside this library's folder (as in the build), where it was installed, or on the PATH.
 std::string program() {
   static const char mine = 0;
   const auto folder = files::file_that_has(&mine).parent_path();
@@ -72,8 +72,8 @@ std::string program() {
   return "coppermoon";
 }
 
-/// The variable that tells the program, and a reader inside it, which recipes are being read, one per line. Each is
-/// used as a map by the one before it.
+/// The environment variable that lists the recipes being read, one per line, for the program and a reader inside it.
+/// Each recipe uses the next one as its map.
 constexpr const char* variable_of_recipes = "COPPERMOON_RECIPES_BEING_READ";
 
 /// The list of recipes being read, with one more recipe.
@@ -90,9 +90,9 @@ std::string recipes_read_with(const fs::path& recipe) {
   return all;
 }
 
-/// The standard output of the program as it bakes.
+/// Lets the program bake, and returns what it writes to standard output.
 ///
-/// Throws  Error  like files::output_of; with the program's error message, without the program's name
+/// Throws  Error  like files::output_of, but without the program's name in front of its error message
 std::string said_by(const files::Program& program) {
   try {
     return files::output_of(program);
@@ -102,7 +102,7 @@ std::string said_by(const files::Program& program) {
   }
 }
 
-/// The texture for a recipe, baked unless it exists already. Files that a recipe names stand beside the recipe.
+/// The path of a recipe's texture, which is baked unless it exists. Files named in the recipe are looked up beside it.
 fs::path texture_of(const Request& request) {
   const auto recipe = fs::absolute(request.recipe);
   std::vector<std::string> words{program(), "bake", "--recipe=" + recipe.string(),
@@ -118,8 +118,8 @@ fs::path texture_of(const Request& request) {
   return path;
 }
 
-/// Reports on stderr, once, what is wrong with the options after a file's name. oiiotool tries to open it several
-/// times, loses the reader's message and ends with "File does not exist".
+/// Reports on stderr, once, an error in the options after a file's name. This is for oiiotool, which tries to open such
+/// a file several times, loses the reader's message and ends with "File does not exist".
 void say_once(const std::string& wrong) {
   static std::mutex alone;
   static std::string last;
@@ -192,7 +192,7 @@ class EclipseInput final : public OIIO::ImageInput {
   }
 
  private:
-  /// Passes on the error of the texture's own reader.
+  /// Passes on the error message of the texture's own reader, if reading failed.
   bool read(bool done) {
     if (!done) errorfmt("{}", texture_ ? texture_->geterror() : "no eclipse is open");
     return done;
@@ -204,8 +204,8 @@ class EclipseInput final : public OIIO::ImageInput {
 }  // namespace
 }  // namespace coppermoon::wrappers
 
-// OpenImageIO looks for these names in a library called eclipse.imageio.so. The format is not called coppermoon, since
-// OpenImageIO's writers drop attributes that begin with the name of another format, as coppermoon:recipe would.
+// OpenImageIO looks for these names in a library called eclipse.imageio.so. The format is not called coppermoon,
+// because OpenImageIO's writers drop attributes that begin with the name of another format, such as coppermoon:recipe.
 extern "C" {
 OIIO_EXPORT int eclipse_imageio_version = OIIO_PLUGIN_VERSION;
 OIIO_EXPORT const char* eclipse_imageio_library_version() { return nullptr; }

@@ -18,14 +18,14 @@ bool is_of(py::handle object, const char* package, const char* type) {
   return py::isinstance(object, py::module_::import(package).attr(type));
 }
 
-/// The text of a moment given as a text, a date, or NumPy's datetime64, which is UTC; empty for anything else.
+/// The text of a moment that is given as a text, a date, or NumPy's datetime64 in UTC; nullopt for anything else.
 std::optional<std::string> text_of_moment(py::handle moment) {
   if (py::isinstance<py::str>(moment)) return moment.cast<std::string>();
   if (is_of(moment, "datetime", "date") && !is_of(moment, "datetime", "datetime"))
     return moment.attr("isoformat")().cast<std::string>();
   if (!is_of(moment, "numpy", "datetime64")) return std::nullopt;
   const auto text = py::str(moment).cast<std::string>();
-  return text.size() == std::size("2018-07-27T20") - 1 ? text + ":00" : text;  // for whole hours
+  return text.size() == std::size("2018-07-27T20") - 1 ? text + ":00" : text;  // adds the minutes
 }
 
 almanac::Instant instant_of_datetime(py::handle moment) {
@@ -72,7 +72,7 @@ py::object datetime_of(const std::string& text) {
   const auto at_the_minute =
       datetime.attr("datetime")(year, month, day, hour, minute, py::arg("tzinfo") = utc());
   return at_the_minute +
-         datetime.attr("timedelta")(py::arg("seconds") = second,  // may be 60, as a leap second
+         datetime.attr("timedelta")(py::arg("seconds") = second,  // may be 60 in a leap second
                                     py::arg("milliseconds") = millisecond);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Converts Python's arguments: moments, places, words, arrays. Sources that take or return any of them include this.
+// Converts Python's arguments: moments, places, words, arrays. To be included wherever these are taken or returned.
 #pragma once
 
 #include <fmt/format.h>
@@ -27,19 +27,19 @@ namespace coppermoon::python {
 
 namespace py = pybind11;
 
-/// A moment of an eclipse, given as a datetime with a time zone, an ISO 8601 text, NumPy's datetime64 (UTC), a day,
-/// which stands for its greatest eclipse, or a day and a contact, moonrise or moonset.
+/// A moment of an eclipse, given as a datetime with a time zone; an ISO 8601 text; NumPy's datetime64 (UTC); a day,
+/// which stands for the greatest eclipse on it; or a day and a contact, moonrise or moonset.
 struct Moment {
   std::string text;
-  std::optional<almanac::Instant> instant{};  ///< set for a datetime, which has no text
+  std::optional<almanac::Instant> instant{};  ///< set instead of `text` if given as a datetime
 
-  /// Throws  Error  like uses::moment_in
+  /// The instant of this moment. Moonrise and moonset need an observer. Throws Error like uses::moment_in.
   almanac::Instant seen_from(const std::optional<almanac::Observer>& observer) const {
     return instant ? *instant : uses::moment_in(text, {observer});
   }
 };
 
-/// An end or the middle of a search, given like a Moment. But a day alone means its midnight.
+/// The start, the end or the middle of a search, given like a Moment, except that a day alone means its midnight.
 struct Date {
   almanac::Instant instant;
 };
@@ -49,8 +49,8 @@ struct Place {
   almanac::Observer observer;
 };
 
-/// Throws  Error       if it is not a valid moment; a datetime without a time zone is not
-///         type_error  if it has another type
+/// Throws  Error       if the moment is not valid, such as a datetime without a time zone
+///         type_error  if the moment has a type that is not allowed
 almanac::Instant instant_of(py::handle moment);
 Moment moment_of(py::handle moment);
 almanac::Instant instant_of_date(py::handle date);
@@ -60,26 +60,26 @@ almanac::Instant instant_of_date(py::handle date);
 /// Throws  Error  outside the years 1 to 9999, the only ones that a datetime can hold
 py::object datetime_of(const almanac::Instant& instant);
 
-/// A datetime from a text by utc_text with milliseconds.
+/// Converts a text from utc_text, with milliseconds, to a datetime.
 py::object datetime_of(const std::string& text);
 
 /// Throws  Error  if no city has the name, or a number is out of range
 almanac::Observer observer_of(py::handle place);
 
-/// Reads numbers along one axis.
+/// Reads numbers from a one-dimensional array.
 ///
 /// Throws  Error       if the array does not have exactly one axis
 ///         type_error  if the values are not numbers
 std::vector<double> numbers_of(const char* what, py::handle numbers);
 
-/// Converts an array as NumPy's protocol `__array__` asks.
+/// Converts an array as NumPy's protocol `__array__` requires.
 ///
-/// Given   dtype  None to keep the array's own
-///         copy   true: always copy; empty: copy if the dtype needs it
-/// Throws  Error  if `copy` is false and the dtype needs a copy
+/// Given   dtype  None keeps the array's own dtype
+///         copy   true always copies; nullopt copies only if the dtype requires it
+/// Throws  Error  if `copy` is false and the dtype requires a copy
 py::object converted(const py::object& array, const py::object& dtype, std::optional<bool> copy);
 
-/// The words for the values of an enumeration, the same as in the command's options.
+/// The words for the values of an enumeration. They are the same as in the command's options.
 template <class Value>
 struct Words;
 

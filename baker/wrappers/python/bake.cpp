@@ -17,7 +17,7 @@ struct Texels {
   texture::Image image;
 };
 
-/// A texture as Python keeps it.
+/// A texture in the form that Python keeps: its values by name.
 struct Texture {
   py::dict values;
 };

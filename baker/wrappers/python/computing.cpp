@@ -11,7 +11,8 @@ namespace {
 
 namespace py = pybind11;
 
-/// The exception that ends the work. It is not Python's, as it crosses threads and libraries that do not know Python.
+/// The exception that ends the work. It is not one of Python's, because it crosses threads and libraries that do not
+/// know Python.
 struct Stopped {};
 
 }  // namespace

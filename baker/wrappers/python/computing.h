@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Long work: Python's other threads keep running meanwhile, Ctrl-C ends the work, and a callback follows its progress.
+// Runs long work while other Python threads keep running. Ctrl-C ends the work; a callback is told its progress.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -12,14 +12,14 @@
 
 namespace coppermoon::python {
 
-/// A Python function that is told how far the work has come, if there is one.
+/// An optional Python function that is told what fraction of the work is done.
 using Callback = std::optional<pybind11::function>;
 
-/// Runs work on another thread, without Python's lock. Twenty times a second the calling thread checks whether
-/// Ctrl-C was pressed, and tells the callback how far the work has come. An exception from either ends the work when it
-/// next reports its progress, and is then raised again.
+/// Runs work on another thread, without Python's lock. Twenty times a second the calling thread checks whether Ctrl-C
+/// was pressed, and tells the callback how far the work has come. If Ctrl-C or the callback raises an exception, the
+/// work ends when it next reports its progress, and the exception is then raised again.
 ///
-/// Throws  whatever the work throws; error_already_set
+/// Throws  whatever the work throws; error_already_set for an exception of Python
 void run(const Callback& callback, const std::function<void(const algebra::Progress&)>& work);
 
 /// Calls a function through `run` and returns its value.
@@ -32,7 +32,7 @@ auto computed(const Callback& callback, Work&& work) {
   return std::move(*made);
 }
 
-/// Reports the progress of one part of the work, which runs from `from` to `to`, as progress of the whole.
+/// Reports the progress of a part of the work, which covers `from` to `to` of the whole, as progress of the whole.
 inline algebra::Progress part_of(const algebra::Progress& whole, double from, double to) {
   return [=](double part) { whole(from + (to - from) * part); };
 }

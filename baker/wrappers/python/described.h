@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How Python shows the parameters of requests: names, types, values, docstrings. The module and its stub are made from
-// these.
+// How Python shows the parameters of requests: their names, types, values and docstrings. The module and its stub are
+// made from these descriptions.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@
 
 namespace coppermoon::python {
 
-/// The parameters of a class. Air and Region have those described in `uses`; Light also has tolerance and budget.
+/// The parameters of a Python class. Air and Region are described in `uses`; Light also has a tolerance and a budget.
 request::Parameters parameters_of(uses::Air& air);
 request::Parameters parameters_of(uses::AirRegion& region);
 request::Parameters parameters_of(uses::LightRequest& light);
@@ -52,10 +52,10 @@ std::string type_of(const request::Parameter& parameter);
 /// A parameter's value as a Python literal: "None", "True", "280.0", "'standard'", "[Region(cloud_cover=1.0)]".
 std::string literal_of(const request::Parameter& parameter);
 
-/// A parameter's meaning, in which other parameters have their Python names.
+/// A parameter's meaning as text, in which other parameters are called by their Python names.
 std::string meaning_of(const request::Parameter& parameter);
 
-/// All parameters with their values, such as "ozone_du=None, cloud_cover=None".
+/// All parameters with their values, as in a signature: "ozone_du=None, cloud_cover=None".
 std::string signature_of(const request::Parameters& parameters);
 
 /// A line "name: meaning" for each parameter.
@@ -67,7 +67,7 @@ std::string type_of(const result::Field& field);
 /// A line "key: meaning [unit]" for each field.
 std::string lines_of(const result::Fields& fields);
 
-/// A request as text, such as "Air(ozone_du=250.0)": only the parameters that differ from those of a new request.
+/// A request as text, such as "Air(ozone_du=250.0)". Only parameters that differ from the defaults are shown.
 template <class Request>
 std::string text_of(const std::string& type, Request request);
 

@@ -12,7 +12,7 @@
 namespace coppermoon::python {
 namespace {
 
-/// A dome as Python keeps it.
+/// A dome in the form that Python keeps: its values by name.
 struct Dome {
   py::dict values;
 };
@@ -41,7 +41,7 @@ Dome dome_at(const Moment& when, const Place& at, const std::optional<uses::Air>
   take(dome_keywords(asked), "dome", more);
   uses::require_sound(asked.dome);
   uses::require_map(moon);
-  moon.texture_width = 720;  // enough for the Moon's whole light
+  moon.texture_width = 720;  // enough for the Moon's total light
   auto dome = computed(callback, [&](const algebra::Progress& progress) {
     const auto sky = almanac::sky_at(when.seen_from(asked.moon.view.observer));
     if (!eclipse::eclipse_at(sky.when, eclipse::ShadowConvention::danjon)) moon.unshadowed = true;

@@ -34,7 +34,7 @@ Value read_as(const Parameter& parameter, py::handle value, const char* allowed)
 
 bool is_text(py::handle value) { return py::isinstance<py::str>(value); }
 
-/// A number as text.
+/// Converts a Python number to text.
 ///
 /// Throws  Error  if the number is outside the parameter's range, or not finite
 template <class Number>
@@ -60,7 +60,7 @@ std::string text_of(const Parameter& parameter, py::handle value) {
       if (!is_text(value) && request::fault_in(Kind::whole, parameter.words.front()).empty())
         return request::text_of(read_as<int>(parameter, value, "whole numbers"));
       break;
-    case Kind::text:  // a number instead of a word
+    case Kind::text:  // may also be given as a number
       if (!is_text(value)) return request::text_of(read_as<double>(parameter, value, "a text"));
       break;
     case Kind::file_read:
@@ -93,7 +93,7 @@ void take_value(Parameter& parameter, py::handle value) {
   }
   try {
     parameter.take(texts_of(parameter, value));
-  } catch (const algebra::Error& error) {  // it has the name used in recipes
+  } catch (const algebra::Error& error) {  // names the parameter as recipes do
     const std::string why = error.what();
     const bool named = why.starts_with(parameter.name + " ");
     throw algebra::Error(named ? name_of(parameter) + why.substr(parameter.name.size()) : why);

@@ -13,9 +13,9 @@ namespace coppermoon::python {
 
 namespace py = pybind11;
 
-/// Sets parameters from keywords. Warns of keywords that have no effect in combination with the others.
+/// Sets parameters from keywords. Warns about keywords that have no effect in combination with the others.
 ///
-/// Given   function    its name, for errors
+/// Given   function    name of the Python function, for error messages
 /// Throws  type_error  if a keyword is unknown, or a value has the wrong type
 ///         Error       if a value is not allowed
 void take(request::Parameters parameters, const std::string& function, const py::dict& keywords);
@@ -23,7 +23,7 @@ void take(request::Parameters parameters, const std::string& function, const py:
 /// The value of a parameter as a Python object: a number, a bool, a text, regions, or None.
 py::object value_of(const request::Parameter& parameter);
 
-/// Adds the class of a request, which is made from keywords and has read-only fields.
+/// Adds the Python class of a request. Objects of the class are made from keywords, and have read-only fields.
 template <class Request>
 void add_class(py::module_& package, const char* type, const std::string& text) {
   Request fresh;

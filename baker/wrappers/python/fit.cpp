@@ -16,7 +16,7 @@
 
 namespace coppermoon::python {
 
-/// Converts a night, with all numbers of its tone curve and with its light.
+/// Converts a fitted night for Python, together with all numbers of its tone curve and its measured light.
 template <>
 Told<uses::FittedNight> told(const uses::FittedNight& night) {
   Told<uses::FittedNight> made;
@@ -62,7 +62,7 @@ std::vector<uses::MeasuredMagnitude> measured_by(const py::iterable& rows) {
   return all;
 }
 
-/// The unknowns with a given name; None means those that suit the air.
+/// The unknowns with the given name. Without a name the result is nullopt, which means the unknowns that suit the air.
 std::optional<uses::Unknowns> unknowns_named(const std::optional<std::string>& name) {
   if (!name) return std::nullopt;
   if (*name == "factors") return uses::Unknowns::factors;

@@ -7,7 +7,7 @@
 PYBIND11_MODULE(_coppermoon, package) {
   using namespace coppermoon;
   pybind11::options options;
-  options.disable_function_signatures();  // each docstring begins with its signature, as in stubs
+  options.disable_function_signatures();  // docstrings begin with signatures of our own
   package.attr("__version__") = COPPERMOON_VERSION;
   pybind11::register_exception<algebra::Error>(package, "Error", PyExc_ValueError).doc() =
       "Wrong input, in one line: the value, its unit, what is allowed.";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of the package. Each function adds the classes and functions of its part to the module.
+// The parts of the package. Each function adds the classes and functions of one part to the module.
 #pragma once
 
 #include <pybind11/pybind11.h>

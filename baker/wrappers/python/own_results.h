@@ -11,7 +11,7 @@
 
 namespace coppermoon::python {
 
-/// A sky that also has vectors and a matrix, as arrays.
+/// A SeenSky that also describes its vectors and its matrix, as arrays.
 struct SkyOfArrays : eclipse::SeenSky {};
 
 inline algebra::Grid<double> grid_of(const glm::dmat3& matrix) {

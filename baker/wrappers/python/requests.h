@@ -9,7 +9,7 @@
 
 namespace coppermoon::python {
 
-/// A request for light through some air. If either is not given, the library's default applies.
+/// A request for light through some air. Without `air` or `light`, the library's defaults apply.
 inline uses::LightRequest light_request(const std::optional<uses::Air>& air,
                                         const std::optional<uses::LightRequest>& light) {
   auto request = light.value_or(uses::LightRequest{});
@@ -17,7 +17,7 @@ inline uses::LightRequest light_request(const std::optional<uses::Air>& air,
   return request;
 }
 
-/// Puts the objects that Python has passed into a texture's requests.
+/// Puts the objects that Python has passed (air, light, place) into the requests for a texture.
 inline void take_objects(TextureKeywords& keywords, const std::optional<uses::Air>& air,
                          const std::optional<uses::LightRequest>& light,
                          const std::optional<Place>& at) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes Python classes of results that describe themselves: properties, docstrings, repr, equality, pickling.
+// Makes Python classes from results that describe themselves, with properties, docstrings, repr, equality and pickling.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,8 +14,8 @@
 
 namespace coppermoon::python {
 
-/// A result as Python keeps it: the values that it describes, by their keys. An instant is kept as text, since a
-/// datetime can only hold the years 1 to 9999.
+/// A result in the form that Python keeps: the values that it describes, by their keys. An instant is kept as text,
+/// because a datetime can only hold the years 1 to 9999.
 template <class Result>
 struct Told {
   py::dict values;
@@ -25,7 +25,7 @@ struct Told {
 template <result::Described Result>
 Told<Result> told(const Result& result);
 
-/// Converts a described value to the object that Told keeps.
+/// Converts a value that a result describes to the Python object that Told keeps.
 template <class Value>
 py::object kept(const Value& value) {
   if constexpr (result::is_a<Value, std::optional>) {
@@ -58,7 +58,7 @@ py::object kept(const Value& value) {
   }
 }
 
-/// A visitor of `describe` that keeps the values it is given.
+/// Visitor for `describe` that keeps the values of a result.
 struct Keeps {
   py::dict& values;
 
@@ -84,19 +84,19 @@ Told<Result> told(const Result& result) {
   return made;
 }
 
-/// A kept value as a property shows it: the text of an instant becomes a datetime.
+/// The value of a result's property. The text of an instant becomes a datetime.
 ///
 /// Throws  Error  like datetime_of
 py::object shown(const result::Field& field, const py::dict& values);
 
-/// A result as text, such as "Eclipse(type='total', gamma=0.117)". It leaves out values that are None, and shows only the
-/// shape of arrays.
+/// A result as text, such as "Eclipse(type='total', gamma=0.117)". It leaves out values that are None, and shows only
+/// the shape of arrays.
 std::string text_of(const std::string& type, const py::dict& values);
 
 /// Whether two kept values are the same. Arrays are compared by their bytes, results value by value in key order.
 bool are_equal(py::handle a, py::handle b);
 
-/// Adds a class for kept values, with a property for each field.
+/// Adds a Python class for results, with a property for each field.
 template <class Kept>
 py::class_<Kept> add_kept(py::module_& package, const result::Fields& fields) {
   py::class_<Kept> made(package, fields.name.c_str(), fields.meaning.c_str());
@@ -117,13 +117,13 @@ py::class_<Kept> add_kept(py::module_& package, const result::Fields& fields) {
   return made;
 }
 
-/// Adds the class of a result that describes itself.
+/// Adds the Python class of a result that describes itself.
 template <result::Described Result>
 py::class_<Told<Result>> add_result(py::module_& package) {
   return add_kept<Told<Result>>(package, result::fields_of<Result>());
 }
 
-/// Lets NumPy use an object as the array that it keeps under a key.
+/// Lets NumPy use an object like the array that the object keeps under a key.
 template <class Kept>
 void add_array_protocol(py::class_<Kept>& made, const char* key) {
   using namespace py::literals;
@@ -135,7 +135,7 @@ void add_array_protocol(py::class_<Kept>& made, const char* key) {
       "dtype"_a = py::none(), "copy"_a = py::none());
 }
 
-/// The values of a header by name.
+/// The values in a file's header, by name.
 inline py::dict header_of(const texture::Attributes& attributes) {
   py::dict header;
   for (const auto& [name, value] : attributes) header[py::str(name)] = value;

@@ -16,7 +16,7 @@
 namespace coppermoon::python {
 namespace {
 
-/// The annotation of an argument, which may also be a NumPy number or a path.
+/// The type in the stub for an argument, which may also be a NumPy number or a path.
 std::string taken_type(const request::Parameter& parameter) {
   auto type = type_of(parameter);
   const auto end = type.find(" |");
