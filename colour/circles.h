@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "algebra/grid.h"
-#include "colour/limb.h"
+#include "colour/moon_limb.h"
 
 namespace coppermoon::colour {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "algebra/grid.h"
-#include "colour/limb.h"
+#include "colour/moon_limb.h"
 #include "colour/similarity.h"
 
 namespace coppermoon::colour {

@@ -12,7 +12,7 @@
 
 #include "algebra/error.h"
 #include "colour/disc_features.h"
-#include "colour/limb.h"
+#include "colour/moon_limb.h"
 #include "colour/picture_part.h"
 
 namespace coppermoon::colour {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "algebra/grid.h"
-#include "colour/limb.h"
+#include "colour/moon_limb.h"
 #include "colour/similarity.h"
 
 namespace coppermoon::colour {

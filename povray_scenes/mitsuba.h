@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "povray_scenes/scene.h"
+#include "povray_scenes/moon_scene.h"
 
 namespace coppermoon::povray_scenes {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "almanac/observer.h"
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 
 namespace coppermoon::povray_scenes {
 

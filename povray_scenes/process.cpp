@@ -11,7 +11,7 @@
 
 #include "algebra/error.h"
 #include "files/child_process.h"
-#include "povray_scenes/scene.h"
+#include "povray_scenes/moon_scene.h"
 
 namespace coppermoon::povray_scenes {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "files/whole_file.h"
+#include "povray_scenes/moon_scene.h"
 #include "povray_scenes/process.h"
-#include "povray_scenes/scene.h"
 #include "povray_scenes/scene_text.h"
 
 namespace coppermoon::povray_scenes {

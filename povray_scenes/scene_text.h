@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "povray_scenes/scene.h"
+#include "povray_scenes/moon_scene.h"
 
 namespace coppermoon::povray_scenes {
 

@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "algebra/error.h"
+#include "povray_scenes/moon_scene.h"
 #include "povray_scenes/process.h"
-#include "povray_scenes/scene.h"
 #include "povray_scenes/scene_text.h"
 
 namespace coppermoon::povray_scenes {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "povray_scenes/camera.h"
 #include "povray_scenes/render.h"
+#include "povray_scenes/scene_camera.h"
 
 namespace coppermoon::povray_scenes {
 

@@ -10,6 +10,7 @@
 // also called with a result of default values, just to learn the keys, kinds, units and meanings.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,10 +46,14 @@ IfAny<Value> if_any(std::optional<Value> value) {
 
 /// A value of an optional thing. Documents leave out its key if the thing is missing, and write null if the thing has
 /// no such value.
+///
+/// Given  thing  optional, or a pointer
+///        value  function of the thing, or a pointer to its member
 template <class Thing, class Function>
-auto of_any(const std::optional<Thing>& thing, Function&& value) {
-  using Value = std::invoke_result_t<Function, const Thing&>;
-  return IfAny<Value>{thing ? std::optional<Value>(std::in_place, value(*thing)) : std::nullopt};
+auto of_any(const Thing& thing, Function&& value) {
+  using Value = std::remove_cvref_t<std::invoke_result_t<Function, decltype(*thing)>>;
+  return IfAny<Value>{thing ? std::optional<Value>(std::in_place, std::invoke(value, *thing))
+                            : std::nullopt};
 }
 
 /// Named values, which become an object in documents.

@@ -70,14 +70,10 @@ struct Writes {
 
   void a(std::string_view, std::string_view) const {}
   template <class Value>
-  void operator()(std::string_view key, const Value& value, algebra::Unit,
-                  std::string_view meaning) const {
-    (*this)(key, value, meaning);
-  }
-  template <class Value>
-  void operator()(std::string_view key, const Value& value, std::string_view meaning) const {
+  void operator()(std::string_view key, const Value& value,
+                  const auto&... /*unit, meaning*/) const {
     if constexpr (std::invocable<Value>) {
-      (*this)(key, value(), meaning);
+      (*this)(key, value());
     } else if constexpr (is_a<Value, algebra::IfAny>) {
       if (value.value)
         write(key, *value.value);

@@ -22,11 +22,7 @@ struct Gathers {
 
   void a(std::string_view, std::string_view) const {}
   template <class Value>
-  void operator()(std::string_view key, const Value& value, algebra::Unit, std::string_view) {
-    (*this)(key, value, "");
-  }
-  template <class Value>
-  void operator()(std::string_view key, const Value& value, std::string_view) {
+  void operator()(std::string_view key, const Value& value, const auto&... /*unit, meaning*/) {
     if constexpr (std::is_floating_point_v<Value>)
       add(key, value);
     else if constexpr (std::is_same_v<Value, algebra::Angle>)

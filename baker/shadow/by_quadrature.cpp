@@ -14,7 +14,7 @@
 
 #include "algebra/error.h"
 #include "algebra/interpolation.h"
-#include "photons/limb.h"
+#include "photons/earth_limb.h"
 #include "shadow/landed_plane.h"
 
 namespace coppermoon::shadow {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "photons/limb.h"
+#include "photons/earth_limb.h"
 
 namespace coppermoon::shadow {
 

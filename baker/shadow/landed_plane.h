@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "algebra/grid.h"
-#include "photons/limb.h"
+#include "photons/earth_limb.h"
 #include "photons/limb_darkening.h"
 #include "shadow/disc_arcs.h"
 #include "shadow/irradiance.h"

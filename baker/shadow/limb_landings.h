@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "algebra/grid.h"
-#include "photons/limb.h"
+#include "photons/earth_limb.h"
 #include "shadow/irradiance.h"
 #include "shadow/photon_spectra.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "eclipse/shadow_axis.h"
-#include "photons/limb.h"
+#include "photons/earth_limb.h"
 #include "shadow/irradiance.h"
 
 namespace coppermoon::shadow {

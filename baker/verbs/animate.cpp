@@ -10,7 +10,7 @@
 
 #include "algebra/error.h"
 #include "files/whole_file.h"
-#include "povray_scenes/scene.h"
+#include "povray_scenes/moon_scene.h"
 #include "result/fields.h"
 #include "uses/film/film.h"
 #include "uses/film/film_files.h"

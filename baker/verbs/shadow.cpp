@@ -171,7 +171,8 @@ void run(const Verb& verb, const Options& options) {
                      : uses::atmosphere_of(light.air, cut.sun_declination, an_equinox);
   if (light.by_hand.terms && !cut.sky) air = uses::air_for(*light.by_hand.terms, {.air = air});
   if (cut.sky) say_unless_danjon_is_reached(light.air, *cut.sky);
-  const uses::ShadowCut shadow{air, uses::arrangement_of(light, cut.sun_distance_m, {cut.depth_m})};
+  const uses::ShadowCut shadow{air,
+                               {cut.sun_distance_m, {cut.depth_m}, uses::limb_darkening_of(light)}};
   make_profile(options, cut, shadow, light, uses::air_in_words(verb.parameters));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "colour/limb.h"
+#include "colour/moon_limb.h"
 #include "colour/taken_moons.h"
 #include "support/testing.h"
 #include "support/thorough.h"

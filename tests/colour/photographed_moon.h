@@ -8,7 +8,7 @@
 
 #include "algebra/random.h"
 #include "baker/surface/small_moon.h"
-#include "colour/limb.h"
+#include "colour/moon_limb.h"
 #include "colour/similarity.h"
 #include "surface/albedo_map.h"
 

@@ -14,7 +14,7 @@
 
 #include "algebra/grid.h"
 #include "algebra/random.h"
-#include "colour/limb.h"
+#include "colour/moon_limb.h"
 
 namespace coppermoon::colour {
 

@@ -9,7 +9,7 @@
 #include "colour/difference.h"
 #include "colour/display.h"
 #include "end_to_end/browser.h"
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 #include "support/testing.h"
 #include "texture/read_image.h"
 

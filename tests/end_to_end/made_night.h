@@ -29,7 +29,7 @@
 #include "colour/similarity.h"
 #include "eclipse/contacts.h"
 #include "eclipse/shadow_axis.h"
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 #include "support/program.h"
 #include "surface/albedo_map.h"
 #include "texture/bake.h"

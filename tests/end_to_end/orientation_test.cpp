@@ -4,7 +4,7 @@
 #include "almanac/instant.h"
 #include "almanac/observer.h"
 #include "end_to_end/spotted_moon.h"
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 #include "support/program.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"

@@ -6,7 +6,6 @@
 
 #include "almanac/instant.h"
 #include "eclipse/contacts.h"
-#include "eclipse/shadow_axis.h"
 #include "end_to_end/random_numbers.h"
 #include "end_to_end/true_luminance.h"
 #include "support/chance.h"
@@ -113,14 +112,6 @@ inline std::string described(const Run& run) {
   return text;
 }
 
-inline uses::ShadowedMoon moon_of(const Run& run, const almanac::SkyState& sky) {
-  const auto axis = eclipse::shadow_axis(sky);
-  const double sun_m = algebra::in_metres(axis.sun_distance);
-  return {eclipse::place_in_shadow(axis, sky.moon_m), sun_m,
-          arrangement_of(run.request, sun_m, {}).limb_darkening,
-          atmosphere_of(run.request.air, sky)};
-}
-
 /// Places of the lit half on a circle of one depth, by increasing axis distance.
 struct Circle {
   double depth_m;
@@ -199,7 +190,7 @@ inline Result result_of(const Run& run, std::size_t circles, std::size_t places,
   const auto start = std::chrono::steady_clock::now();
   const auto light = light_on_the_moon(run.request, sky);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  const auto moon = moon_of(run, sky);
+  const auto moon = shadowed_moon(run.request, sky);
   const double error =
       largest_error(light.in_channels(uses::luminance_weights()), TrueLuminance(moon, truth),
                     circles_on(moon, circles, places, index));

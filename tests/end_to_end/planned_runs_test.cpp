@@ -60,7 +60,7 @@ TEST(PlannedRuns, SayNoLessThanTheirErrorAtTheEndsOfRanges) {
 TEST(TrueLuminance, IsThatOfThreeTimesTheRays) {
   for (std::uint64_t i = 0; i < 3; ++i) {
     const auto run = random_run(i);
-    const auto moon = moon_of(run, almanac::sky_at(run.when));
+    const auto moon = shadowed_moon(run.request, almanac::sky_at(run.when));
     const auto circle = circles_on(moon, 1, 5, i)[0];
     const auto usual =
         TrueLuminance(moon, {}).at(circle.depth_m, circle.distances_m, circle.angles_rad);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "eclipse/shadow_axis.h"
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 
 namespace coppermoon::end_to_end {
 

@@ -60,7 +60,7 @@ class TrueLuminance {
                                  std::span<const double> angles_rad,
                                  const shadow::QuadratureSettings& settings) const {
     const auto& air = moon_.air;
-    const shadow::Arrangement arrangement{moon_.sun_distance_m, {depth_m}, moon_.limb_darkening};
+    const auto arrangement = arrangement_of(moon_, {depth_m});
     const auto refracted = shadow::by_quadrature(air, arrangement, waves_, distances_m, settings);
     const auto scattered = truth_.scattered
                                ? shadow::twilight(air, arrangement, twilight_nm_, distances_m)

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "extremes/untrusted.h"
+#include "povray_scenes/moon_scene.h"
 #include "povray_scenes/render.h"
-#include "povray_scenes/scene.h"
 #include "support/testing.h"
 #include "support/thorough.h"
 #include "texture/read_image.h"

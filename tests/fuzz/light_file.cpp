@@ -16,29 +16,23 @@ namespace {
 
 using namespace coppermoon;
 
-/// What the film asks for that finds the file in its folder.
-struct Asked {
+/// The Moon of the film that finds the file in its folder.
+uses::ShadowedMoon moon_of_film() {
   uses::LightRequest request;
-  uses::ShadowedMoon moon;
-};
-
-Asked asked() {
-  Asked asked;
-  asked.request.air.atmosphere = "paper";
+  request.air.atmosphere = "paper";
   const std::array skies{almanac::sky_at(almanac::instant_from_utc("2018-07-27T20:21:45Z"))};
-  asked.moon = uses::moon_on_its_way(asked.request, skies);
-  return asked;
+  return uses::moon_on_its_way(request, skies);
 }
 
 void read(std::string_view text) {
   static const fuzz::ScratchFile file("eclipse.light");
-  static const Asked film = asked();
+  static const auto moon = moon_of_film();
   auto kept = uses::read_light(
       file.holding(std::string(text) + fmt::format("{:016x}", files::fingerprint(text))));
-  if (!kept || !uses::complete(film.request, film.moon, kept->light)) return;
+  if (!kept || !uses::complete(moon, kept->light)) return;
   const auto lookup = kept->light.in_channels(uses::luminance_weights());
   std::array<double, 1> ratio{};
-  lookup.read(film.moon.centre, ratio);
+  lookup.read(moon.centre, ratio);
   fuzz::require(ratio[0] >= 0 && ratio[0] <= 1e15);
 }
 

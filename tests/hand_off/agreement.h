@@ -7,7 +7,7 @@
 
 #include "algebra/grid.h"
 #include "end_to_end/luminance.h"
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 
 namespace coppermoon::hand_off {
 

@@ -8,7 +8,7 @@
 
 #include "almanac/instant.h"
 #include "almanac/observer.h"
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 #include "support/program.h"
 #include "texture/image.h"
 #include "texture/read_image.h"

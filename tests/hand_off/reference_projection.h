@@ -7,7 +7,7 @@
 #include <numbers>
 #include <optional>
 
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 #include "texture/image.h"
 
 namespace coppermoon::hand_off {

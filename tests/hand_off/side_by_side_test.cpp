@@ -7,8 +7,8 @@
 #include "hand_off/agreement.h"
 #include "hand_off/blender.h"
 #include "hand_off/reference_projection.h"
+#include "povray_scenes/moon_scene.h"
 #include "povray_scenes/render.h"
-#include "povray_scenes/scene.h"
 #include "support/testing.h"
 
 namespace coppermoon::hand_off {

@@ -29,8 +29,8 @@ check_copy_with(baker/surface/albedo_map.cpp "#include <OpenImageIO/imageio.h>" 
 check_copy_with(baker/texture/bake.cpp "#include <OpenColorIO/OpenColorIO.h>" found)
 check_copy_with(baker/texture/bake.cpp "#include <Eigen/Cholesky>" found)
 check_copy_with(baker/texture/bake.cpp "#include \"../almanac/sky.h\"" found)
-check_copy_with(colour/exposure.cpp "#include \"povray_scenes/camera.h\"" found)
-check_copy_with(povray_scenes/scene.cpp "#include \"verbs/verbs.h\"" found)
+check_copy_with(colour/exposure.cpp "#include \"povray_scenes/scene_camera.h\"" found)
+check_copy_with(povray_scenes/moon_scene.cpp "#include \"verbs/verbs.h\"" found)
 check_copy_with(baker/verbs/still.cpp "const char* renderer = \"povray\"\;" found)
 check_copy_with(baker/eclipse/contacts.h "#include \"files/whole_file.h\"" found)  # before it, and not among its needs
 check_copy_with(baker/uses/light/air.h "#include \"verbs/air_options.h\"" found)

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/vec3.hpp>
 
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 
 namespace coppermoon::povray_scenes {
 

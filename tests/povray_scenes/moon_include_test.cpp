@@ -2,9 +2,9 @@
 #include "povray_scenes/moon_include.h"
 
 #include "povray_scenes/folder.h"
+#include "povray_scenes/moon_scene.h"
 #include "povray_scenes/pictures.h"
 #include "povray_scenes/render.h"
-#include "povray_scenes/scene.h"
 #include "support/testing.h"
 
 namespace coppermoon::povray_scenes {

@@ -6,11 +6,11 @@
 #include <glm/geometric.hpp>
 #include <stdexcept>
 
-#include "povray_scenes/camera.h"
 #include "povray_scenes/folder.h"
 #include "povray_scenes/meridian.h"
+#include "povray_scenes/moon_scene.h"
 #include "povray_scenes/pictures.h"
-#include "povray_scenes/scene.h"
+#include "povray_scenes/scene_camera.h"
 #include "support/left_behind.h"
 #include "support/testing.h"
 

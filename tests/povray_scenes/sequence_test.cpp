@@ -5,8 +5,8 @@
 #include <future>
 
 #include "povray_scenes/folder.h"
+#include "povray_scenes/moon_scene.h"
 #include "povray_scenes/pictures.h"
-#include "povray_scenes/scene.h"
 #include "support/left_behind.h"
 #include "support/testing.h"
 

@@ -22,8 +22,8 @@
 #include "colour/glow.h"
 #include "colour/working_space.h"
 #include "eclipse/shadow_axis.h"
-#include "povray_scenes/camera.h"
-#include "uses/picture/camera.h"
+#include "povray_scenes/scene_camera.h"
+#include "uses/picture/camera_request.h"
 #include "uses/picture/disc_outline.h"
 #include "uses/picture/pixels.h"
 

@@ -13,7 +13,7 @@
 #include "colour/exposure.h"
 #include "colour/registration.h"
 #include "colour/tone_curve.h"
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 #include "texture/image.h"
 
 namespace coppermoon::uses {

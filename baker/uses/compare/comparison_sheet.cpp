@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "colour/limb.h"
+#include "colour/moon_limb.h"
 #include "colour/picture_part.h"
 #include "colour/similarity.h"
 #include "colour/tone_curve.h"

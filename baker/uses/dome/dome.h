@@ -6,7 +6,7 @@
 #include <string>
 
 #include "algebra/described.h"
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 #include "request/parameter.h"
 #include "texture/image.h"
 #include "uses/picture/baked_moon.h"

@@ -19,7 +19,6 @@
 #include "atmosphere/astronomical_refraction.h"
 #include "colour/display.h"
 #include "colour/exposure.h"
-#include "eclipse/shadow_axis.h"
 #include "photons/limb_darkening.h"
 #include "photons/solar_disc.h"
 #include "surface/ground.h"
@@ -333,11 +332,9 @@ Exploration exploration_of(const eclipse::Eclipse& eclipse, const ExploreRequest
   const auto from = almanac::later(moments.front().second, -margin_s),
              to = almanac::later(moments.back().second, margin_s);
   const auto& light = request.moon.light;
-  const auto air = atmosphere_of(light.air, sky);
-  const auto axis = eclipse::shadow_axis(sky);
-  const auto arrangement =
-      arrangement_of(light, algebra::in_metres(axis.sun_distance),
-                     {algebra::in_metres(eclipse::place_in_shadow(axis, sky.moon_m).depth)});
+  const auto moon = shadowed_moon(light, sky);
+  const auto& air = moon.air;
+  const auto arrangement = arrangement_of(moon, {algebra::in_metres(moon.centre.depth)});
   const auto wavelengths = wavelengths_nm(bands);
   PageArrays map, scattered;
   ordered_json limb, albedo, motion, danjon;

@@ -14,7 +14,7 @@
 #include "algebra/interpolation.h"
 #include "atmosphere/ozone.h"
 #include "photons/bending.h"
-#include "photons/limb.h"
+#include "photons/earth_limb.h"
 #include "shadow/twilight.h"
 
 namespace coppermoon::uses {

@@ -10,7 +10,7 @@
 #include "algebra/error.h"
 #include "files/fingerprint.h"
 #include "files/own_file.h"
-#include "povray_scenes/scene.h"
+#include "povray_scenes/moon_scene.h"
 #include "texture/read_image.h"
 #include "texture/seal.h"
 #include "uses/film/film_light.h"

@@ -63,7 +63,7 @@ std::optional<Moonlight> kept_on_the_way(const Film& film, const ShadowedMoon& m
     throw algebra::Error(
         fmt::format("{}: holds the light of a film made with {} ({}), allowed another folder{}",
                     film.folder.string(), in_words(others), light_file, film.record.way_out));
-  if (!same || !complete(film.moon.light, moon, known->light)) return std::nullopt;
+  if (!same || !complete(moon, known->light)) return std::nullopt;
   return std::move(known->light);
 }
 

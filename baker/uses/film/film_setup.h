@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 #include "uses/film/film.h"
 
 namespace coppermoon::uses {

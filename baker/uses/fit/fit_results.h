@@ -12,12 +12,6 @@
 
 namespace coppermoon::uses {
 
-/// Wraps an optional so that its key always appears in documents, as null if there is no value.
-template <class Value>
-std::optional<std::optional<Value>> or_null(std::optional<Value> value) {
-  return std::make_optional(std::move(value));
-}
-
 /// Name of a channel by its index: red, green or blue.
 inline algebra::Word channel_named(std::size_t channel) {
   const std::vector<std::string_view> names{"red", "green", "blue"};
@@ -109,7 +103,8 @@ void describe(Field&& is, const FittedNight& night) {
   is.a("Night", "Camera of one night, as far as its photographs tell.");
   is("photographs", night.files, "files of its photographs");
   is("response", night.response, "through which its camera sees; none: the CIE 1931 observer");
-  is("clock", or_null(night.clock), "its clock; none: instants were taken as right");
+  is("clock", algebra::of_any(&night, &FittedNight::clock),
+     "its clock; none: instants were taken as right");
   is("tone_curve",
      night.curve ? std::optional(Numbers(night.curve->numbers.begin(),
                                          night.curve->numbers.begin() + colour::tone_components))
@@ -160,7 +155,7 @@ void describe(Field&& is, const FitReport& report) {
   is("numbers", report.fit.measurements, "how many numbers were compared");
   is("nights", report.nights, "the camera of each night");
   is("photographs", report.photographs, "how each photograph was read");
-  is("misfit", or_null(suspicion_of(report)),
+  is("misfit", algebra::of_any(&report, suspicion_of),
      "likely reason of a misfit; none: all is as expected");
 }
 

@@ -218,7 +218,7 @@ std::vector<algebra::Grid<double>> light_in_bins(const LightRequest& request, Un
   const auto above = air_above(parts);
   Setting setting{unit,
                   moon,
-                  arrangement_of(unit, moon.sun_distance_m, depths_of(moon, work_of_fits.planes)),
+                  arrangement_of(moon, depths_of(moon, work_of_fits.planes)),
                   wavelengths_nm(work_of_fits.bands),
                   distances_over_the_disc(moon),
                   parts,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "uses/fit/fit_scene.h"
 #include "uses/fit/light_in_bins.h"
-#include "uses/fit/scene.h"
 
 namespace coppermoon::uses {
 

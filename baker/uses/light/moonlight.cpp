@@ -140,9 +140,8 @@ plan::Plan plan_of(const LightRequest& request, const ShadowedMoon& moon, const 
   return plan::plan_for(scene, request.wish, this_machine(), hand);
 }
 
-Rig rig_of(const LightRequest& request, const ShadowedMoon& moon, const plan::Work& work) {
-  return {air_for(work, moon),
-          arrangement_of(request, moon.sun_distance_m, depths_of(moon, work.planes)),
+Rig rig_of(const ShadowedMoon& moon, const plan::Work& work) {
+  return {air_for(work, moon), arrangement_of(moon, depths_of(moon, work.planes)),
           wavelengths_nm(work.bands), distances_over_the_disc(moon), quadrature_for(work, moon)};
 }
 
@@ -188,10 +187,8 @@ void require_eclipse(const almanac::Instant& when, const std::string& way_out,
       almanac::utc_text(eclipse::nearest_eclipse(when, convention).greatest, calendar), way_out));
 }
 
-shadow::Arrangement arrangement_of(const LightRequest& request, double sun_distance_m,
-                                   std::vector<double> depths_m) {
-  const bool usual = request.air.atmosphere != "paper";
-  return {sun_distance_m, std::move(depths_m), request.limb_darkening.value_or(usual)};
+bool limb_darkening_of(const LightRequest& request) {
+  return request.limb_darkening.value_or(request.air.atmosphere != "paper");
 }
 
 shadow::RefractedLight refracted_light(const LightRequest& request,
@@ -226,10 +223,8 @@ shadow::RefractedLight refracted_light(const LightRequest& request,
 }
 
 ShadowedMoon shadowed_moon(const LightRequest& request, const almanac::SkyState& sky) {
-  const double sun_distance_m = algebra::in_metres(eclipse::shadow_axis(sky).sun_distance);
-  return {eclipse::moon_in_shadow(sky), sun_distance_m,
-          arrangement_of(request, sun_distance_m, {}).limb_darkening,
-          atmosphere_of(request.air, sky)};
+  return {eclipse::moon_in_shadow(sky), algebra::in_metres(eclipse::shadow_axis(sky).sun_distance),
+          limb_darkening_of(request), atmosphere_of(request.air, sky)};
 }
 
 shadow::Lookup Moonlight::in_sums(const shadow::ChannelWeights& weights,
@@ -242,8 +237,8 @@ shadow::Lookup Moonlight::in_channels(const shadow::ChannelWeights& weights) con
   return in_sums(at_wavelengths(weights, plan.work.bands), range);
 }
 
-bool complete(const LightRequest& request, const ShadowedMoon& moon, Moonlight& light) {
-  const auto rig = rig_of(request, moon, light.plan.work);
+bool complete(const ShadowedMoon& moon, Moonlight& light) {
+  const auto rig = rig_of(moon, light.plan.work);
   if (!are_alike(light.refracted->arrangement, rig.arrangement)) return false;
   light.direct = rig.direct_light();
   return true;
@@ -300,7 +295,7 @@ Moonlight light_on_the_way(const LightRequest& request, const ShadowedMoon& moon
   Moonlight light;
   light.plan = plan_of(request, moon, purpose);
   auto& work = light.plan.work;
-  const auto rig = rig_of(request, moon, work);
+  const auto rig = rig_of(moon, work);
   auto& refracted =
       light.refracted.emplace(planned_refracted_light(request, light.plan, rig, progress));
   if (refracted.photons > 0) work.photons = static_cast<double>(refracted.photons);

@@ -58,9 +58,8 @@ struct LightRequest {
 /// fitted to observed eclipses, which include scattered light.
 ScatteredLight scattered_light_of(const LightRequest& request);
 
-/// Sun's disc, limb-darkened or uniform, and the planes behind the Earth.
-shadow::Arrangement arrangement_of(const LightRequest& request, double sun_distance_m,
-                                   std::vector<double> depths_m);
+/// Whether the Sun is limb-darkened: as requested, by default except with the atmosphere "paper".
+bool limb_darkening_of(const LightRequest& request);
 
 /// The Moon at one moment, in the shadow of the requested Earth and air.
 ShadowedMoon shadowed_moon(const LightRequest& request, const almanac::SkyState& sky);
@@ -144,7 +143,7 @@ Moonlight light_on_the_way(const LightRequest& request, const ShadowedMoon& moon
 /// Adds direct light to light that was read from a file.
 ///
 /// Returned  whether the light belongs to the Moon's path
-bool complete(const LightRequest& request, const ShadowedMoon& moon, Moonlight& light);
+bool complete(const ShadowedMoon& moon, Moonlight& light);
 
 /// Range of the light on the Moon's path that its disc covers at one moment; nothing for unshadowed sunlight.
 std::optional<shadow::LookupRange> range_at(const Moonlight& light, const almanac::SkyState& sky);

@@ -15,7 +15,7 @@
 #include "almanac/lunar_orientation.h"
 #include "atmosphere/presets.h"
 #include "colour/cie_observer.h"
-#include "photons/limb.h"
+#include "photons/earth_limb.h"
 #include "shadow/twilight.h"
 #include "uses/light/spectral_bands.h"
 
@@ -128,8 +128,7 @@ CoarseLight tried(const ShadowedMoon& moon, const atmosphere::Atmosphere& whole,
     for (std::size_t w = 0; w < ratio.size(); ++w) sum += weights(0, w) * ratio[w];
     return std::max(sum, 0.) / sunlight;
   };
-  const shadow::Arrangement arrangement{
-      moon.sun_distance_m, {mean_depth_m(moon)}, moon.limb_darkening};
+  const auto arrangement = arrangement_of(moon, {mean_depth_m(moon)});
   const auto sectors = sectors_of(moon, sectors_of_a_trial);
   const auto light = shadow::by_quadrature(air, arrangement, waves, places_m,
                                            {.rays = 100, .sun_terms = 2, .sectors = sectors});
@@ -180,9 +179,8 @@ double scattered_share(const ShadowedMoon& moon, const CoarseLight& coarse,
   if (moon.air.top_m() <= 0) return 0;
   if (most / darkest < counts) return most / darkest;
   const std::array wavelengths{560.};
-  const auto scattered =
-      shadow::twilight(moon.air, {moon.sun_distance_m, {mean_depth_m(moon)}, moon.limb_darkening},
-                       wavelengths, places_m.subspan(where, 1));
+  const auto scattered = shadow::twilight(moon.air, arrangement_of(moon, {mean_depth_m(moon)}),
+                                          wavelengths, places_m.subspan(where, 1));
   double share = 0;
   for (const auto& grid : scattered.ratio) share = std::max(share, grid(0, 0));
   return share > 0 ? share / (darkest + share) : 0;
@@ -239,6 +237,10 @@ void require_knobs(const plan::ByHand& by_hand) {
   within("sun terms", by_hand.sun_terms, 1, 6);
   within("planes", by_hand.planes, 1, 9);
   within("place error", by_hand.place_error, 1e-5, 1);
+}
+
+shadow::Arrangement arrangement_of(const ShadowedMoon& moon, std::vector<double> depths_m) {
+  return {moon.sun_distance_m, std::move(depths_m), moon.limb_darkening};
 }
 
 std::vector<double> depths_of(const ShadowedMoon& moon, int planes) {
@@ -374,7 +376,7 @@ class ExactLight {
         evenly({disc.from_m + off_nodes * lunar_radius_m, disc.to_m}, places_over(disc, 15));
     // the darkest place on a Moon beside the axis, where the error of direct light is largest
     if (disc.from_m > 0) places.insert(places.begin(), disc.from_m);
-    const shadow::Arrangement arrangement{moon.sun_distance_m, {depth_m}, moon.limb_darkening};
+    const auto arrangement = arrangement_of(moon, {depth_m});
     add_edges_of_the_shadow(moon, arrangement, disc, places);
     const auto waves = wavelengths_nm(finer(work).bands);
     light_ = shadow::by_quadrature(moon.air, arrangement, waves, places, settings_);

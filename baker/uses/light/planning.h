@@ -35,6 +35,9 @@ struct Purpose {
 /// Throws  Error
 void require_knobs(const plan::ByHand& by_hand);
 
+/// Sun's disc, and the planes behind the Earth at these depths.
+shadow::Arrangement arrangement_of(const ShadowedMoon& moon, std::vector<double> depths_m);
+
 /// Depths of planes through the half of the Moon that faces the Sun. For a path, they cover all its depths as densely.
 std::vector<double> depths_of(const ShadowedMoon& moon, int planes);
 

@@ -142,11 +142,10 @@ RingStrip ring_strip(const LightRequest& request, const almanac::SkyState& sky,
   require_earth_in_sight(lookout);
   const auto axis = eclipse::shadow_axis(sky);
   const auto there = eclipse::place_in_shadow(axis, lookout.position_m);
-  const auto air = atmosphere_of(request.air, sky);
-  const auto arrangement = arrangement_of(request, algebra::in_metres(axis.sun_distance),
-                                          {algebra::in_metres(there.depth)});
-  require_umbra(lookout, air, arrangement, there);
-  const shadow::LimbRing ring(air, arrangement, there, wavelengths_nm(ring_bands));
+  const auto moon = shadowed_moon(request, sky);
+  const auto arrangement = arrangement_of(moon, {algebra::in_metres(there.depth)});
+  require_umbra(lookout, moon.air, arrangement, there);
+  const shadow::LimbRing ring(moon.air, arrangement, there, wavelengths_nm(ring_bands));
   const auto angles = angles_of(ring);
   const auto north = lookout.position_angle(glm::row(axis.shadow_from_gcrs, 1));
   RingStrip strip{image_of(ring, angles, algebra::in_radians(north), sun_weights(scale)),

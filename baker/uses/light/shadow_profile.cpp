@@ -63,7 +63,7 @@ std::vector<double> sector_shares(std::size_t sectors, std::optional<double> pos
 ShadowCut shadow_at_the_moon(const LightRequest& request, const almanac::SkyState& sky) {
   const auto moon = shadowed_moon(request, sky);
   return {request.by_hand.terms ? air_for(*request.by_hand.terms, moon) : moon.air,
-          arrangement_of(request, moon.sun_distance_m, {algebra::in_metres(moon.centre.depth)})};
+          arrangement_of(moon, {algebra::in_metres(moon.centre.depth)})};
 }
 
 ShadowProfile shadow_profile(const LightRequest& request, const ShadowCut& cut,

@@ -8,7 +8,7 @@
 
 #include "almanac/observer.h"
 #include "eclipse/contacts.h"
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 
 namespace coppermoon::uses {
 

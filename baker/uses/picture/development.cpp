@@ -17,7 +17,7 @@
 #include "colour/display.h"
 #include "texture/contact_sheet.h"
 #include "texture/write_image.h"
-#include "uses/picture/camera.h"
+#include "uses/picture/camera_request.h"
 #include "uses/picture/caption.h"
 #include "uses/picture/disc_outline.h"
 #include "uses/picture/picture_files.h"

@@ -9,7 +9,7 @@
 #include "colour/exposure.h"
 #include "colour/working_space.h"
 #include "texture/image.h"
-#include "uses/picture/camera.h"
+#include "uses/picture/camera_request.h"
 
 namespace coppermoon::uses {
 

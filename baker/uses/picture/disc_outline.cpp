@@ -12,7 +12,7 @@
 
 #include "algebra/number.h"
 #include "colour/srgb.h"
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 #include "uses/picture/picture_files.h"
 
 namespace coppermoon::uses {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "povray_scenes/camera.h"
 #include "povray_scenes/render.h"
+#include "povray_scenes/scene_camera.h"
 #include "texture/image.h"
 
 namespace coppermoon::uses {

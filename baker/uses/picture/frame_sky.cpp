@@ -8,10 +8,10 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 #include "uses/light/spectral_bands.h"
 #include "uses/picture/brightness.h"
-#include "uses/picture/camera.h"
+#include "uses/picture/camera_request.h"
 
 namespace coppermoon::uses {
 namespace {

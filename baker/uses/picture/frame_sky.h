@@ -5,7 +5,7 @@
 #include <glm/mat3x3.hpp>
 #include <optional>
 
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 #include "texture/image.h"
 #include "uses/picture/baked_moon.h"
 #include "uses/picture/clear_sky.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "povray_scenes/scene.h"
+#include "povray_scenes/moon_scene.h"
 #include "texture/usd_text.h"
 #include "uses/picture/baked_moon.h"
 #include "uses/picture/frame_sky.h"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "almanac/observer.h"
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 
 namespace coppermoon::uses {
 

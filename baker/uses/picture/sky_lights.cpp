@@ -17,7 +17,7 @@
 #include "almanac/stars.h"
 #include "atmosphere/astronomical_refraction.h"
 #include "colour/working_space.h"
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 #include "uses/light/photometer.h"
 #include "uses/light/spectral_bands.h"
 #include "uses/picture/pixels.h"

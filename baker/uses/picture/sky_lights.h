@@ -12,7 +12,7 @@
 #include "almanac/sky.h"
 #include "atmosphere/observer_air.h"
 #include "povray_scenes/moon_include.h"
-#include "povray_scenes/scene.h"
+#include "povray_scenes/moon_scene.h"
 #include "texture/image.h"
 #include "uses/picture/view.h"
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "files/temporary_folder.h"
-#include "povray_scenes/camera.h"
+#include "povray_scenes/moon_scene.h"
 #include "povray_scenes/render.h"
-#include "povray_scenes/scene.h"
+#include "povray_scenes/scene_camera.h"
 #include "texture/read_image.h"
 #include "uses/light/header.h"
 #include "uses/picture/disc_outline.h"

@@ -13,7 +13,7 @@
 #include "algebra/error.h"
 #include "almanac/gazetteer.h"
 #include "atmosphere/astronomical_refraction.h"
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 
 namespace coppermoon::uses {
 namespace {

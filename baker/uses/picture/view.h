@@ -9,7 +9,7 @@
 #include "almanac/instant.h"
 #include "almanac/observer.h"
 #include "atmosphere/observer_air.h"
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 #include "texture/image.h"
 
 namespace coppermoon::uses {

@@ -121,7 +121,7 @@ exposure_time_s, iso, f_number: without them as its header says
            "exposure_time_s"_a = py::none(), "iso"_a = py::none(), "f_number"_a = py::none())
       .def_readonly("file", &EclipsePhotograph::file, "its path")
       .def_property_readonly(
-          "when", [](const EclipsePhotograph& one) { return datetime_of(one.instant); },
+          "instant", [](const EclipsePhotograph& one) { return datetime_of(one.instant); },
           "the moment when it was taken")
       .def_readonly("coding", &EclipsePhotograph::coding, "how its numbers stand for light")
       .def_readonly("exposure_time_s", &EclipsePhotograph::time_s, "None: as its header says")

@@ -64,12 +64,8 @@ struct Keeps {
 
   void a(std::string_view, std::string_view) const {}
   template <class Value>
-  void operator()(std::string_view key, const Value& value, algebra::Unit,
-                  std::string_view meaning) const {
-    (*this)(key, value, meaning);
-  }
-  template <class Value>
-  void operator()(std::string_view key, const Value& value, std::string_view) const {
+  void operator()(std::string_view key, const Value& value,
+                  const auto&... /*unit, meaning*/) const {
     if constexpr (std::invocable<Value>)
       values[py::str(std::string(key))] = kept(value());
     else

@@ -5,7 +5,7 @@
 #include <coppermoon/almanac/sky.h>
 #include <coppermoon/colour/display.h>
 #include <coppermoon/eclipse/contacts.h>
-#include <coppermoon/povray_scenes/camera.h>
+#include <coppermoon/povray_scenes/scene_camera.h>
 #include <coppermoon/shadow/lookup.h>
 #include <coppermoon/surface/albedo_map.h>
 #include <coppermoon/texture/read_image.h>

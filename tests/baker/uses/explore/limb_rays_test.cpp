@@ -4,7 +4,7 @@
 #include "almanac/sky.h"
 #include "baker/uses/explore/page_data.h"
 #include "photons/bending.h"
-#include "photons/limb.h"
+#include "photons/earth_limb.h"
 #include "shadow/twilight.h"
 #include "support/testing.h"
 #include "uses/light/air.h"

@@ -7,8 +7,8 @@
 #include "almanac/instant.h"
 #include "colour/working_space.h"
 #include "support/testing.h"
+#include "uses/fit/fit_scene.h"
 #include "uses/fit/lit_bins.h"
-#include "uses/fit/scene.h"
 #include "uses/light/spectral_bands.h"
 
 namespace coppermoon::uses {

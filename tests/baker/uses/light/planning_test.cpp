@@ -42,7 +42,7 @@ std::vector<double> luminances(const ShadowedMoon& moon, const std::vector<doubl
   constexpr int bands = 40;
   const auto waves = wavelengths_nm(bands);
   const double depth = algebra::in_metres(moon.centre.depth) - radius_m / 2;
-  const shadow::Arrangement arrangement{moon.sun_distance_m, {depth}, moon.limb_darkening};
+  const auto arrangement = arrangement_of(moon, {depth});
   auto light = shadow::by_quadrature(moon.air, arrangement, waves, places_m,
                                      {.rays = 400, .sectors = {96, sector, 1}});
   if (scattered) shadow::add_twilight(light, moon.air);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/disc_outline.h"
 
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 #include "support/testing.h"
 
 namespace coppermoon::uses {

@@ -6,11 +6,11 @@
 
 #include "almanac/instant.h"
 #include "atmosphere/astronomical_refraction.h"
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 #include "support/testing.h"
 #include "uses/light/spectral_bands.h"
 #include "uses/picture/brightness.h"
-#include "uses/picture/camera.h"
+#include "uses/picture/camera_request.h"
 #include "uses/picture/development.h"
 #include "uses/picture/still.h"
 

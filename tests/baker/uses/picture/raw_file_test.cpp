@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A sensor's counts as raw files: what they say of the scene is what the photograph says of it.
-#include "uses/picture/camera.h"
+#include "uses/picture/camera_request.h"
 
 #include "almanac/instant.h"
 #include "baker/texture/scratch_folder.h"

@@ -6,7 +6,7 @@
 
 #include "almanac/planets.h"
 #include "colour/working_space.h"
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 #include "support/testing.h"
 
 namespace coppermoon::uses {

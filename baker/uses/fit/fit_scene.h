@@ -12,7 +12,7 @@
 #include "algebra/grid.h"
 #include "almanac/sky.h"
 #include "colour/display.h"
-#include "colour/limb.h"
+#include "colour/moon_limb.h"
 #include "shadow/lookup.h"
 #include "surface/ground.h"
 #include "uses/fit/sky_and_glow.h"

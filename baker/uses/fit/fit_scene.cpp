@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "uses/fit/scene.h"
+#include "uses/fit/fit_scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +14,13 @@
 #include "colour/working_space.h"
 #include "eclipse/shadow_axis.h"
 #include "eclipse/shadow_cone.h"
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 #include "surface/albedo_map.h"
 #include "texture/bake.h"
 #include "uses/fit/lit_bins.h"
 #include "uses/light/moonlight.h"
 #include "uses/light/spectral_bands.h"
-#include "uses/picture/camera.h"
+#include "uses/picture/camera_request.h"
 #include "uses/picture/pixels.h"
 
 namespace coppermoon::uses {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "uses/picture/camera.h"
+#include "uses/picture/camera_request.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "uses/fit/photograph.h"
+#include "uses/fit/moon_in_photograph.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "povray_scenes/scene.h"
+#include "povray_scenes/moon_scene.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "algebra/error.h"
 #include "files/own_file.h"
 #include "files/whole_file.h"
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 #include "povray_scenes/scene_text.h"
 
 namespace coppermoon::povray_scenes {

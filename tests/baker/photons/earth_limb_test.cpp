@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "photons/limb.h"
+#include "photons/earth_limb.h"
 
 #include "atmosphere/presets.h"
 #include "support/testing.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "colour/limb.h"
+#include "colour/moon_limb.h"
 
 #include <tbb/parallel_for.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "povray_scenes/scene.h"
+#include "povray_scenes/moon_scene.h"
 
 #include "files/own_file.h"
 #include "povray_scenes/folder.h"

@@ -8,7 +8,7 @@
 #include "algebra/grid.h"
 #include "colour/registration.h"
 #include "texture/image.h"
-#include "uses/fit/scene.h"
+#include "uses/fit/fit_scene.h"
 
 namespace coppermoon::uses {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "uses/fit/scene.h"
+#include "uses/fit/fit_scene.h"
 
 #include "almanac/instant.h"
 #include "support/luther_camera.h"

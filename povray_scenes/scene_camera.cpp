@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "povray_scenes/camera.h"
+#include "povray_scenes/scene_camera.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
