@@ -55,7 +55,7 @@ AirRange range_of(std::span<const DataSet> data) {
 
 /// Axes of a finer grid over the range that a coarser grid found probable.
 Axes axes_about(const Posterior& known, const Axes& coarser, std::size_t look) {
-  constexpr double beyond = 2;  // in widths of the interval; reaches five deviations
+  constexpr double beyond = 2;  // in widths of the interval; that is five standard deviations
   Axes axes;
   for (std::size_t a = 0; a < axes.size(); ++a) {
     const auto& [median, low, high, information] = known.estimates[a];
@@ -70,7 +70,7 @@ Axes axes_about(const Posterior& known, const Axes& coarser, std::size_t look) {
 /// χ² and clock corrections at each point of a grid, indexed as (aerosol × ozones + ozone, cloud).
 struct Evaluation {
   algebra::Grid<double> chi_squared;
-  std::vector<algebra::Grid<ClockError>> clocks;  ///< [data set]
+  std::vector<algebra::Grid<ClockError>> clocks;  ///< one for each data set
 };
 
 /// Adds a data set's χ² for each amount of cloud, at one value of aerosol and ozone, and records its clock correction.
@@ -110,8 +110,7 @@ Evaluation evaluated(const Axes& axes, std::span<const DataSet> data,
   return all;
 }
 
-/// Posterior mean and standard error of a clock's correction, averaged over all air on the grid. `scale` enlarges all
-/// variances.
+/// Posterior mean and standard error of a clock's correction over all air on the grid, with variances times `scale`.
 ClockError over_all_air(const algebra::Grid<double>& chi_squared, double least, double scale,
                         const algebra::Grid<ClockError>& clocks) {
   double sum = 0, mean = 0, squares = 0;

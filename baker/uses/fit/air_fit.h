@@ -31,15 +31,15 @@ struct DataSet {
 /// Correction to be added to the times of a camera's clock.
 struct ClockError {
   double seconds = 0, error_s = 0;  ///< mean and standard error
-  std::string zone{};  ///< time zone of the camera's times; empty if no zone was given
+  std::string zone{};               ///< time zone of the camera's times; empty if no zone was given
 };
 
 /// Air fitted to data sets.
 struct AirFit {
   Unknowns unknowns = Unknowns::factors;
-  Posterior posterior{};         ///< of the unknowns; logarithmic ones by their logarithm
-  std::size_t measurements = 0;  ///< number of measurements
-  AirNumbers best{};             ///< air with the least χ²
+  Posterior posterior{};             ///< of the unknowns, or of their logarithms
+  std::size_t measurements = 0;      ///< number of measurements
+  AirNumbers best{};                 ///< air with the least χ²
   std::vector<ClockError> clocks{};  ///< one for each data set
 };
 
@@ -57,8 +57,7 @@ AirRange range_about(const AirFit& fit);
 /// with the prior's limits do not count.
 bool is_well_within(const AirFit& fit, const AirRange& range);
 
-/// Largest χ² of an acceptable fit: ten times the degrees of freedom. This corresponds to errors three times as large
-/// as assumed.
+/// Largest χ² of an acceptable fit: ten times the degrees of freedom, as if errors were three times those assumed.
 ///
 /// Source  χ² per degree of freedom in tests/end_to_end/recovery_test.cpp: 0.2 to 3.2 for a hundred photographs;
 ///         for one of them, 15 with a tone curve of power 0.7, 98 with a time wrong by 30 minutes, and 388 with the

@@ -44,7 +44,7 @@ struct SumOfBin {
   double squares = 0;        ///< squared differences between pixels two columns apart
   double light_squares = 0;  ///< squared light of the pixels
   std::size_t pixels = 0, clipped = 0, pairs = 0;
-  ToneSlopes slopes{};  ///< derivatives of light
+  ToneSlopes slopes{};  ///< derivatives of light by the tone curve's parameters
 
   /// Whether few enough pixels are black or clipped for the mean of the others to be unbiased.
   bool sound() const {
@@ -109,7 +109,7 @@ void add_slopes(ToneSlopes& slopes, double light, double displayed, double sky,
     slopes[k] += light * of_light[k] - sky * of_sky[k];
 }
 
-/// Light to subtract from pixels: the sky's light, with and without the tone curve, and a factor on the computed glow.
+/// Light to subtract from pixels: the sky's, sRGB-coded and with the curve undone, and a factor on the computed glow.
 struct Off {
   double displayed, sky, glow;
 };

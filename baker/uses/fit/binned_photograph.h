@@ -29,9 +29,9 @@ struct PhotometricErrors {
   double shutter_error =
       0.03;  ///< of the logarithm of the photograph's exposure relative to others
   double white_balance_error = 0.03;  ///< of the logarithms of red / green and blue / green
-  bool white_balance_fixed = false;   ///< white balance is the same all night
+  bool white_balance_fixed = false;   ///< whether white balance is the same all night
   double place_error_km = 0;          ///< of the disc's place, towards the shadow's axis
-  /// relative error of red light due to the weather along 30 degrees of the limb; light_by_weather has other channels
+  /// relative error of red light due to the weather along 30 degrees of the limb; see light_by_weather for others
   double weather_error = 0;
   double mixing_error = 0;      ///< of each off-diagonal element of the camera's matrix
   double saturation_error = 0;  ///< of the saturation of its colours, which JPEG styles vary

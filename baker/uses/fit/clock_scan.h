@@ -17,11 +17,11 @@ struct ClockView {
   struct Cell {
     glm::dvec3 ground;  ///< unit vector, Moon-fixed
     double sunlit;      ///< light without the shadow
-    double light;       ///< logarithm of photographed light, by the mean tone curve
+    double light;       ///< logarithm of photographed light, decoded by the mean curve
     enum class Seen { dark, well, clipped };
     Seen seen;  ///< dark: light is an upper limit; clipped: a lower limit
   };
-  almanac::Instant instant;  ///< by the camera's clock
+  almanac::Instant instant;  ///< time of the photograph by the camera's clock
   std::vector<Cell> cells;
 };
 

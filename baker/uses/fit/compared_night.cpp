@@ -70,7 +70,7 @@ void add_measurements(const Binned& photograph, std::size_t index, const colour:
       const double value = values(b, k), noise = errors(b, k) / value;
       if (value <= 0 || noise > too_noisy || value < too_dark * brightest) continue;
       double logarithm = std::log(value / photograph.errors.value_per_cd_m2.value_or(1));
-      if (!slopes.empty())  // back to the cameras' mean tone curve, to first order
+      if (!slopes.empty())  // as if binned with the cameras' mean tone curve
         for (std::size_t n = 0; n < colour::tone_numbers; ++n)
           logarithm -= slopes(b, k)[n] * curve.numbers[n];
       all.push_back({index, b, k, logarithm,
@@ -196,7 +196,7 @@ colour::ToneCurve ComparedNight::curve(const algebra::Grid<double>& light) const
   if (!curved_) return curve;
   const auto found = nuisances_.expected(residuals_by_the_clock(light));
   for (std::size_t n = 0; n < colour::tone_numbers; ++n)
-    curve.numbers[n] = -found[first_.at("tone curve") + n];  // the curve has to remove the excess light
+    curve.numbers[n] = -found[first_.at("tone curve") + n];  // so that it removes the excess light
   return curve;
 }
 

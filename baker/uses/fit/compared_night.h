@@ -22,7 +22,7 @@ struct MeasuredLight {
 /// How a photograph's light in one channel differs from the light computed for an air, as the logarithm of their ratio.
 /// The night's nuisance parameters have their posterior mean, and the photograph's own are 0.
 struct Misfit {
-  std::size_t photograph, channel;  ///< red, green, blue
+  std::size_t photograph, channel;  ///< channel: red, green or blue
   std::size_t count;                ///< number of measurements
   double chi_squared;               ///< part of χ² that comes from this photograph and channel
   double mean, scatter;             ///< weighted mean difference, and standard deviation
@@ -31,8 +31,7 @@ struct Misfit {
   std::string file{};  ///< of the photograph
 };
 
-/// Photographs from one camera and night as one data set. Each measurement is the logarithm of light in one bin and
-/// channel.
+/// Photographs from one camera and night as a data set of logarithms of light, one for each bin and channel.
 ///
 /// The noise of a measurement has three parts. The first is the noise of its pixels. The second is the error of the
 /// Moon's map, 1.2 % in each area of 200 km, or about 0.3 % in a bin. The third is the error of the computed light,
@@ -69,8 +68,7 @@ class ComparedNight {
   std::vector<Misfit> misfits(const algebra::Grid<double>& light) const;
 
  private:
-  /// Logarithms of measured light / computed light, and how those of computed light change per second of clock
-  /// correction.
+  /// Logarithms of measured / computed light, and how the computed ones change per second of clock correction.
   struct Residuals {
     std::vector<double> differences, per_second;
   };
@@ -86,7 +84,7 @@ class ComparedNight {
   std::vector<std::vector<double>> distances_km_;  // [photograph][bin]
   std::vector<std::array<double, 3>> sunlight_;    // [photograph][channel]
   std::map<std::string_view, std::size_t> first_;  // first column of each nuisance
-  std::size_t first_own_ = 0;                      // first column that belongs to a single photograph
+  std::size_t first_own_ = 0;                      // first column of photographs' own parameters
   Nuisances nuisances_;
 };
 

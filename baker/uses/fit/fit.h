@@ -29,7 +29,7 @@ struct EclipsePhotograph {
 
 /// Data to be fitted, and everything that the fit takes as known.
 struct FitRequest {
-  std::optional<Unknowns> unknowns = {};  ///< what to fit; if absent, as usual_unknowns
+  std::optional<Unknowns> unknowns = {};  ///< what to fit; if absent, usual_unknowns decides
   std::vector<EclipsePhotograph> photographs = {};
   std::vector<MeasuredMagnitude> magnitudes = {};
   /// Sets the air (apart from the unknowns), limb darkening, scattered light, starlight, map, photometry and response;
@@ -52,9 +52,9 @@ struct FitRequest {
   /// Standard error of each camera's clock [s], 0 (exact) to 3600. If it exceeds 300, corrections of up to three times
   /// the error are searched.
   double clock_error_s = 0;
-  bool response_assumed = false;  ///< the response in `moon` is that of another camera
-  bool half_hours_free = false;   ///< times may be off by any number of half hours
-  /// Largest clock correction to search for even if clock_error_s is smaller [s]; partial phases must show it.
+  bool response_assumed = false;  ///< whether the response in `moon` stands in for the camera's
+  bool half_hours_free = false;   ///< whether times may be off by any number of half hours
+  /// Largest clock correction to search for [s], even if clock_error_s is smaller. Partial phases must show it.
   double clock_search_s = 0;
 };
 
@@ -84,12 +84,12 @@ enum class Again {
 /// What the fit found about one night's camera and photographs.
 struct FittedNight {
   std::vector<std::size_t> photographs;  ///< indices in the request
-  std::optional<ClockError> clock;       ///< if clock_error_s > 0
+  std::optional<ClockError> clock;       ///< absent if clock_error_s is 0
   /// Camera response: the one requested, else the camera's own if it is known, else the usual one for such files.
   std::optional<std::string> response;
   std::optional<colour::ToneCurve> curve;
   std::vector<MeasuredLight> light;  ///< in order of distance
-  std::vector<Misfit> misfits;       ///< with indices in the request
+  std::vector<Misfit> misfits;       ///< their photographs are indices in the request
   std::vector<Again> turns;          ///< why it was processed again, for each time
   std::vector<std::string> files;    ///< names of its photographs
 };

@@ -31,8 +31,7 @@ using std::numbers::pi;
 
 constexpr std::size_t texture_rows = 512;
 
-/// Least cosine of the emission angle of ground that is compared. Nearer the limb, errors of the map and blur are
-/// larger.
+/// Least cosine of the emission angle of compared ground. Nearer the limb, errors of the map and blur are larger.
 constexpr double least_cosine = 0.4;
 
 constexpr std::size_t bin_count = 16;

@@ -37,19 +37,18 @@ struct FitGround {
   std::size_t bin;    ///< step of distance from the shadow's axis
 };
 
-/// Picture of the Moon at one moment as an observer sees it, to be compared with photographs. Its sides are
-/// fit_side_px.
+/// The Moon at one moment as an observer sees it, in a picture of fit_side_px a side, to be compared with photographs.
 struct FitScene {
   almanac::SkyState sky;
   algebra::Grid<float> usual;  ///< luminance for the usual air, for registration
   colour::Disc disc;           ///< in `usual`
   std::vector<FitGround> grounds;
   std::size_t bins = 0;
-  std::vector<double> distances_km;  ///< [bin] mean distance from the axis
-  algebra::Grid<double> weights;     ///< (X Y Z, band): weights of moonlight seen through the air
-  double pixel_rad = 0;              ///< angular size of a pixel
-  colour::Image moon;                ///< for the usual air, in linear Rec.709
-  colour::Image glow = {};           ///< from glow_of; empty if not yet computed
+  std::vector<double> distances_km;    ///< [bin] mean distance from the axis
+  algebra::Grid<double> weights;       ///< (X Y Z, band): weights of moonlight seen through the air
+  double pixel_rad = 0;                ///< angular size of a pixel
+  colour::Image moon;                  ///< for the usual air, in linear Rec.709
+  colour::Image glow = {};             ///< from glow_of; empty if not yet computed
   algebra::Grid<double> usual_values;  ///< (bin, channel): light of `moon` / sunlit light
   /// Grid (bin, channel) for each other camera, with the logarithm of light through its filters / light through the
   /// assumed response. Empty if the response is known.

@@ -15,7 +15,7 @@ using InOzone = FittedLight::InOzone;
 /// Transforms an amount or factor to ln(1 + number / scale), as a function of which the logarithm of light is smooth.
 double smooth(double number, double scale) { return std::log1p(number / scale); }
 
-/// Numbers from one end of a range to the other whose values of `smooth` are evenly spaced.
+/// Numbers that cover a range in even steps on the scale of `smooth`.
 std::vector<double> even_on_scale(const std::array<double, 2>& range, double scale, int count) {
   std::vector<double> all;
   const double from = smooth(range[0], scale), to = smooth(range[1], scale);

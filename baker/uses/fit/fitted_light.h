@@ -62,8 +62,8 @@ class FittedLight {
    private:
     friend FittedLight;
     Unknowns unknowns;
-    std::vector<double> clouds{};                // nodes of cloud, as interpolated
-    std::vector<algebra::Grid<double>> light{};  // logarithms if cloud is a factor
+    std::vector<double> clouds{};                // nodes of cloud, on the axis of interpolation
+    std::vector<algebra::Grid<double>> light{};  // its logarithm if cloud is a factor
   };
   /// Light at one value of aerosol and ozone, as a function of cloud.
   OverCloud over_cloud(double aerosol, double ozone) const;
@@ -72,7 +72,7 @@ class FittedLight {
   Unknowns unknowns_;
   AirRange range_;
   double aerosol_scale_ = 1;
-  std::vector<InOzone> nodes_;  // all but the first hold ratios to its light
+  std::vector<InOzone> nodes_;  // the first holds light; the others hold ratios to it
 };
 
 }  // namespace coppermoon::uses

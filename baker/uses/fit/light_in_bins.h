@@ -32,9 +32,8 @@ struct LitBins {
   std::size_t bins = 0;
 };
 
-/// Binned light of a Moon on its way through the shadow, computed for several kinds of air. Light in the shadow is
-/// computed once for all moments. The effect of the air above the observer is interpolated between at most four
-/// moments.
+/// Binned light of a Moon on its way through the shadow, for several kinds of air. Light in the shadow is computed once
+/// for all moments. The effect of the air above the observer is interpolated between four moments or fewer.
 ///
 /// Given     request    air (apart from the unknowns) and limb darkening; the rest is ignored
 ///           skies      one or more from one eclipse, in order of time, among them the moments of all parts

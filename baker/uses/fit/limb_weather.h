@@ -30,8 +30,7 @@ std::array<double, weather_sectors> shares_of_limb(const eclipse::ShadowPlace& p
 algebra::Grid<double> limb_of_bins(const FitScene& scene);
 
 /// Kinds of weather at a part of the limb. The first changes all light, the second mainly blue, and the third light
-/// deep in the umbra against light near its edge. If the effect of cloud on light is known, the third kind is not
-/// needed.
+/// deep in the umbra relative to light near its edge. If the effect of cloud on light is known, there is no third kind.
 inline constexpr std::size_t weather_of_light = 0, weather_of_blue = 1, weather_kinds = 3,
                              weather_kinds_beside_cloud = 2;
 
@@ -50,8 +49,7 @@ double light_by_weather(std::size_t kind, std::size_t channel, double distance_k
 algebra::Grid<double> weather_changes(std::span<const double> seconds);
 
 /// Ratio of the error of light due to weather in some air to the error in usual air. Weather changes the chance of
-/// cloud, so the more light clouds block, the more weather changes light. Weather other than cloud keeps the ratio at
-/// 0.5 or more.
+/// cloud, so the more light clouds block, the more weather changes light. Other weather keeps the ratio at 0.5 or more.
 ///
 /// Given     dimming  by how much ln(red light in the umbra) falls per unit of ln(chance of cloud): 0.3 in usual air,
 ///                    0.6 in air without aerosol

@@ -58,8 +58,7 @@ Channel smaller(const Channel& luminance, double size) {
                                        extent(luminance.columns()));
 }
 
-/// Finds the Moon's disc in a photograph. If noise hides the limb, the photograph is tried at half and a quarter of its
-/// size.
+/// Finds the Moon's disc in a photograph. If noise hides the limb, half and a quarter of the size are tried.
 colour::Disc disc_in(const Channel& luminance) {
   for (const double size : {1., 0.5, 0.25})
     if (const auto disc = colour::limb_of(smaller(luminance, size)))
@@ -70,8 +69,7 @@ colour::Disc disc_in(const Channel& luminance) {
       "lost in noise");
 }
 
-/// Registers a scene by a luminance. If that fails, it is tried again at half and a quarter of the size, unless
-/// `roughly`.
+/// Registers a scene by a luminance. If that fails, half and a quarter of the size are tried, unless `roughly` is set.
 colour::Registration registered_by(const Channel& luminance, const FitScene& scene,
                                    const MoonPart& moon, const std::optional<double>& scale,
                                    bool roughly) {

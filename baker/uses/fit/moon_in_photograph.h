@@ -12,8 +12,8 @@
 
 namespace coppermoon::uses {
 
-/// The part of a photograph that shows the Moon and its surroundings, shrunk by a whole factor. Its disc is then at
-/// least three quarters as large as a scene's, unless it was smaller before. A square of pixels that becomes one pixel
+/// The part of a photograph that shows the Moon and its surroundings, shrunk by a whole factor. Its disc is then still
+/// at least 1.5 times as wide as a scene's, unless it was smaller before. A square of pixels that becomes one pixel
 /// gives its brightest value if any may be clipped, else 0 if most are black, else the mean.
 struct MoonPart {
   texture::Image photo;
@@ -38,9 +38,9 @@ std::string reason_with_shares(const MoonPart& moon, const std::string& reason);
 
 /// How finely a photograph is registered.
 enum class Registering {
-  rough,  ///< with colour::KnownBefore::roughly
-  fine,   ///< if noise hides the limb, the photograph is halved in size, at most twice
-  of_clipped,  ///< as fine; if little is recognised, again with pixels treated as clipped if any channel is
+  rough,       ///< coarsely, as colour::KnownBefore::roughly
+  fine,        ///< if noise hides the limb, the photograph is halved in size, at most twice
+  of_clipped,  ///< like fine, but if little is recognised, tries again with clipped pixels brightest
 };
 
 /// Finds where a scene lies in a photograph.

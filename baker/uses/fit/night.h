@@ -35,8 +35,7 @@ Night first_look(FitRequest request, const algebra::Progress& progress = {});
 /// Reason to process a night again with the air that was found; Again::no if there is none.
 ///
 /// Light is computed again over a range near that air until the fit is well within the range. This is not done for
-/// photographs with a camera's tone curve, because the curve's error exceeds that of interpolating over the whole
-/// range.
+/// photographs with a camera's tone curve, because the curve's error exceeds that of interpolating a wide range.
 ///
 /// Given  turn  number of times that the night was processed again before; 0 after the first look
 Again why_again(const Night& night, const AirFit& fit, int turn);

@@ -189,7 +189,7 @@ std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const Ni
        [=](const Measurement& m, std::size_t n) {
          return n / 2 == m.channel ? growth(m)[(n % 2) + (n % 2 >= m.channel)] : 0;
        }},
-      // gives the error the covariance of the cameras around the assumed one
+      // with this prior, the error has the covariance of the cameras around the assumed one
       {"filters", night, cameras,
        [=](const Measurement&) { return 1 / std::sqrt(static_cast<double>(cameras)); },
        [=](const Measurement& m, std::size_t n) {

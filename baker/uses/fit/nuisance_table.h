@@ -47,9 +47,9 @@ std::vector<double> clock_steps_s(double clock_error_s);
 /// What is known about a night's clock, camera and light before they are fitted. Errors are linearised around it.
 struct NightErrors {
   double clock_error_s = 0;   ///< standard error of the clock; 0 if times are exact
-  double clock_mean_s = 0;    ///< prior mean of the correction, added to the scenes' times
+  double clock_mean_s = 0;    ///< prior mean of the correction to the scenes' times
   colour::ToneCurve curve{};  ///< curve undone before binning, if light was not linear
-  Mixing mixing = no_mixing;  ///< expected for the camera
+  Mixing mixing = no_mixing;  ///< matrix that is expected for the camera
   algebra::Grid<double>
       expected{};  ///< light for the best air, in NightRows; if empty, usual air is used
   algebra::Grid<double> clouded{};  ///< light for that air with more cloud; empty if not known

@@ -44,8 +44,7 @@ Placed placed_one(const Stage& stage, const Reading& reading, std::size_t index,
   }
 }
 
-/// Scale that photographs of the same size as this one agree on best, judged by the sum of their correlations; 0 if
-/// none was registered.
+/// Scale on which photographs of this one's size agree best, by the sum of correlations; 0 if none was registered.
 double agreed_px_per_rad(std::span<const Reading> readings, std::span<const Placed> all,
                          std::size_t index) {
   const auto counts = [&](std::size_t i) {
@@ -74,8 +73,7 @@ std::vector<std::size_t> order_of(std::span<const Placed> all) {
   return order;
 }
 
-/// Decides about a photograph that was registered again at the scale of the others. It is left out if it then looks
-/// less like the Moon.
+/// Accepts a photograph that was registered again at the scale of the others, unless it then looks less like the Moon.
 Placed in_scale(Placed found, const Placed& before, const Reading& reading) {
   constexpr double as_well = 0.9;
   const double alike = before.left_out.empty() ? before.registration.correlation : 0,
@@ -124,7 +122,7 @@ std::vector<Placed> placed_again(const Stage& stage, std::span<const Reading> re
       const auto again =
           registration_of(scene, readings[i].moon,
                           agreed_px_per_rad(readings, all, i) / px_per_scale(readings[i], scene));
-      if (again.correlation < all[i].registration.correlation - less_alike) continue;  // worse than before
+      if (again.correlation < all[i].registration.correlation - less_alike) continue;  // now worse
       all[i].registration = again;
       scene.glow = glow_of(scene);
       all[i].scene = std::make_shared<const FitScene>(std::move(scene));

@@ -8,8 +8,7 @@
 
 namespace coppermoon::uses {
 
-/// Side of a scene's picture in pixels, and the ratio of the disc's diameter to it. Photographs are resampled to this
-/// size.
+/// Side of a scene's picture, to which photographs are resampled [pixels], and the ratio of the disc's diameter to it.
 inline constexpr std::size_t fit_side_px = 320;
 inline constexpr double fit_disc_share = 0.8;
 

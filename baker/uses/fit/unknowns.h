@@ -8,7 +8,7 @@
 
 namespace coppermoon::uses {
 
-/// The three properties of the air that a fit determines, for aerosol, cloud and ozone.
+/// The kind of the three numbers by which a fit describes aerosol, cloud and ozone.
 enum class Unknowns {
   factors,  ///< factors on the month's stratospheric aerosol, chance of cloud, and ozone
   amounts  ///< dust [1/m], share of the limb under a deck of cloud (replaces the chance of cloud), ozone [DU]
