@@ -13,7 +13,11 @@ namespace coppermoon::colour {
 namespace {
 
 /// Standard deviation that the three components leave unexplained at each level; see the accuracy of ToneCurve.
-constexpr double left_over = 0.025;
+constexpr std::array<double, tone_levels> left_over = [] {
+  std::array<double, tone_levels> all{0.4, 0.1, 0.04};  // near black, few cameras were measured
+  std::fill(all.begin() + 3, all.end(), 0.025);
+  return all;
+}();
 
 constexpr double first_level = 0.04, last_level = 0.96;
 
@@ -37,8 +41,8 @@ std::array<double, tone_numbers> tone_derivatives(double displayed) {
                        static_cast<double>(tone_levels - 1);
   const auto tent = std::min(static_cast<std::size_t>(place), tone_levels - 2);
   const double beyond = place - static_cast<double>(tent);
-  derivatives[tone_components + tent] = left_over * (1 - beyond);
-  derivatives[tone_components + tent + 1] = left_over * beyond;
+  derivatives[tone_components + tent] = left_over[tent] * (1 - beyond);
+  derivatives[tone_components + tent + 1] = left_over[tent + 1] * beyond;
   return derivatives;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "colour/tone_curve.h"
+#include "uses/fit/camera_colours.h"
 #include "uses/fit/moon_in_photograph.h"
 
 namespace coppermoon::uses {
@@ -29,17 +30,23 @@ struct PhotometricErrors {
   double shutter_error =
       0.03;  ///< of the logarithm of the photograph's exposure relative to others
   double white_balance_error = 0.03;  ///< of the logarithms of red / green and blue / green
-  bool white_balance_fixed = false;   ///< whether white balance is the same all night
-  double place_error_km = 0;          ///< of the disc's place, towards the shadow's axis
+  /// Whether photographs of a night share the error of their white balance, because it was fixed or is known as shot.
+  bool white_balance_shared = false;
+  double white_balance_drift =
+      0.003;  ///< of the same logarithms in each photograph, if they share that error
+  double place_error_km = 0;  ///< of the disc's place, towards the shadow's axis
   /// relative error of red light due to the weather along 30 degrees of the limb; see light_by_weather for others
   double weather_error = 0;
   double mixing_error = 0;      ///< of each off-diagonal element of the camera's matrix
+  double dark_error = 0;        ///< of each channel's light, relative to the brightest channel's
+  double contrast_error = 0;    ///< of the exponent with which this photograph's light is written
   double saturation_error = 0;  ///< of the saturation of its colours, which JPEG styles vary
 };
 
 /// A photograph in the bins of its scene.
 struct Binned {
-  std::size_t photograph = 0;  ///< index in the night
+  std::size_t photograph = 0;              ///< index in the night
+  std::optional<CameraColours> colours{};  ///< of the camera, if it developed the photograph itself
   std::shared_ptr<const FitScene> scene;
   BinnedPhotograph light;
   PhotometricErrors errors{};

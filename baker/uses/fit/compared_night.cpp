@@ -129,6 +129,7 @@ ComparedNight::ComparedNight(std::span<const Binned> photographs, const NightErr
     saturation_error_ = std::max(saturation_error_, photograph.errors.saturation_error);
     distances_km_.push_back(photograph.scene->distances_km);
     sunlight_.push_back(sunlight_of(photograph.scene->weights));
+    colours_.push_back(photograph.colours);
     const auto before = measurements_.size();
     add_measurements(photograph, distances_km_.size() - 1, errors.curve, measurements_);
     noise.push_back(noise_of(*photograph.scene, std::span(measurements_).subspan(before)));
@@ -157,7 +158,7 @@ ComparedNight::Residuals ComparedNight::residuals(const algebra::Grid<double>& l
     const auto& [p, b, k, logarithm, error, of_computation] = measurements_[i];
     if (i == 0 || p != measurements_[i - 1].photograph || b != measurements_[i - 1].bin)
       for (std::size_t s = 0; s < steps_s.size(); ++s) {
-        logarithms[s] = as_written(light.row(rows_.at(p, s, b)), errors_.mixing,
+        logarithms[s] = as_written(light.row(rows_.at(p, s, b)), colours_[p], errors_.mixing,
                                    mixed_ ? least_of_brightest : 0);
         for (double& value : logarithms[s]) value = std::log(value);
       }
@@ -225,10 +226,11 @@ std::vector<MeasuredLight> ComparedNight::measured(const algebra::Grid<double>& 
   std::map<std::pair<long, std::size_t>, Step> steps;  // [step, channel]
   for (std::size_t i = 0; i < measurements_.size(); ++i) {
     const auto& [p, b, k, logarithm, error, of_computation] = measurements_[i];
-    const double km = distances_km_[p][b], over_sunlight = logarithm - std::log(sunlight_[p][k]);
+    const double km = distances_km_[p][b],
+                 model = std::log(rec709_of(light.row(rows_.own(p, b)))[k] / sunlight_[p][k]);
     auto& step = steps[{std::lround(km / step_km), k}];
-    step.measured.add(error, km, over_sunlight - explained[i], 0);
-    step.model.add(error, km, over_sunlight - differences[i], 0);
+    step.measured.add(error, km, model + differences[i] - explained[i], 0);
+    step.model.add(error, km, model, 0);
     step.weights.resize(measurements_.size());
     step.weights[i] = 1 / (error * error);
   }

@@ -81,10 +81,11 @@ class ComparedNight {
   bool curved_ = false, mixed_ = false;
   double mixing_error_ = 0, saturation_error_ = 0;
   std::vector<Measurement> measurements_;
-  std::vector<std::vector<double>> distances_km_;  // [photograph][bin]
-  std::vector<std::array<double, 3>> sunlight_;    // [photograph][channel]
-  std::map<std::string_view, std::size_t> first_;  // first column of each nuisance
-  std::size_t first_own_ = 0;                      // first column of photographs' own parameters
+  std::vector<std::vector<double>> distances_km_;      // [photograph][bin]
+  std::vector<std::array<double, 3>> sunlight_;        // [photograph][channel]
+  std::vector<std::optional<CameraColours>> colours_;  // [photograph]
+  std::map<std::string_view, std::size_t> first_;      // first column of each nuisance
+  std::size_t first_own_ = 0;  // first column of photographs' own parameters
   Nuisances nuisances_;
 };
 

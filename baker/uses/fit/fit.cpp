@@ -139,7 +139,8 @@ AirFit fitted(std::vector<NightOf>& nights, const std::vector<DataSet>& magnitud
 void require_sound(const FitRequest& request) {
   if (request.exposure_error)
     algebra::require_within("exposure error", *request.exposure_error, 1e-3, 10);
-  algebra::require_within("shutter error", request.shutter_error, 1e-3, 10);
+  if (request.shutter_error)
+    algebra::require_within("shutter error", *request.shutter_error, 1e-3, 10);
   if (request.white_balance_error)
     algebra::require_within("white balance error", *request.white_balance_error, 1e-3, 10);
   if (request.weather_error) algebra::require_within("weather error", *request.weather_error, 0, 1);

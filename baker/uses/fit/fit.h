@@ -42,7 +42,7 @@ struct FitRequest {
   /// or 10 for photographs with a camera's own tone curve, which leaves their exposure free.
   std::optional<double> exposure_error = {};
   /// Standard error of the logarithm of one exposure relative to the night's others, 0.001 to 10.
-  double shutter_error = 0.03;
+  std::optional<double> shutter_error = {};
   /// Standard error of the logarithms of red / green and blue / green, 0.001 to 10. If absent, it is 0.03, or 0.3 for
   /// photographs with a camera's own tone curve.
   std::optional<double> white_balance_error = {};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 #include <numbers>
 #include <numeric>
@@ -225,6 +226,13 @@ std::array<double, 3> rec709_of(std::span<const double> xyz) {
   colour::into_gamut(colour::WorkingSpace::linear_rec709, channels);
   for (double& channel : channels) channel = std::max(channel, dark);
   return channels;
+}
+
+std::array<double, 3> xyz_of_rec709(std::span<const double> rgb) {
+  static const auto to_xyz =
+      glm::inverse(colour::channels_from_xyz(colour::WorkingSpace::linear_rec709));
+  const auto xyz = to_xyz * glm::dvec3(rgb[0], rgb[1], rgb[2]);
+  return {xyz.x, xyz.y, xyz.z};
 }
 
 std::array<double, 3> sunlight_of(const algebra::Grid<double>& weights) {

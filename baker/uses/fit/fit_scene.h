@@ -70,6 +70,9 @@ struct FitGroundwork {
 /// Given  xyz  of moonlight, in any unit
 std::array<double, 3> rec709_of(std::span<const double> xyz);
 
+/// X, Y, Z of light in linear Rec.709.
+std::array<double, 3> xyz_of_rec709(std::span<const double> rgb);
+
 /// Light of sunlit ground outside the shadow, converted by rec709_of.
 ///
 /// Given  weights  (X Y Z, band)

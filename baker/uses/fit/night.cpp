@@ -162,6 +162,9 @@ AirNumbers clouded_numbers(const AirFit& fit) {
   return numbers;
 }
 
+/// Relative change in aerosol used for the derivative of light.
+constexpr double more_aerosol = 0.1;
+
 bool is_curved(const Night& night) {
   return std::ranges::any_of(night.binned,
                              [](const auto& one) { return !one.light.slopes.empty(); });
@@ -211,6 +214,10 @@ Night looked_at_again(Night night, Again why, const AirFit& fit, const algebra::
   NightErrors errors{clock.error_s, clock.believed_s - clock.added_s};
   errors.expected = night.light.at(fit.best);
   errors.clouded = night.light.at(clouded_numbers(fit));
+  auto dusty = fit.best;
+  dusty[0] *= 1 + more_aerosol;
+  errors.dusty = night.light.at(dusty);
+  errors.dusty_by = std::log1p(more_aerosol);
   errors.clouded_by = cloud_is_a_chance(fit) ? std::log1p(more_cloud) : 0;
   errors.curve = night.compared.curve(errors.expected);
   errors.mixing = night.compared.mixing(errors.expected);

@@ -19,6 +19,13 @@ double logarithmic_mean(double a, double b) {
   return std::abs(ratio) < 1e-4 ? std::sqrt(a * b) : b * ratio / std::log1p(ratio);
 }
 
+/// What a channel's light grows by, relative to its mean of what is expected and seen.
+struct Growth {
+  std::array<double, 3>
+      by_channel{};       ///< for each channel of linear Rec.709 that the camera adds to it
+  glm::dvec3 by_gain{0};  ///< for the logarithm of each gain of the camera
+};
+
 std::array<double, 3> mixed(const std::array<double, 3>& light, const Mixing& mixing) {
   std::array<double, 3> written;
   for (std::size_t k = 0; k < 3; ++k)
@@ -37,25 +44,44 @@ double logarithmic_slope(const Binned& photograph, std::size_t b, std::size_t k)
          (scene.distances_km[to] - scene.distances_km[from]);
 }
 
-/// Derivative of a measurement's logarithm with respect to the elements of the camera's matrix that mix red, green and
-/// blue light into the measured channel.
-std::array<double, 3> growth_by_mixing(const Binned& photograph, const NightErrors& night,
-                                       const NightRows& rows, const Measurement& measurement) {
+/// How a measurement's light grows at the expected brightness.
+Growth growth_of(const Binned& photograph, const NightErrors& night, const NightRows& rows,
+                 const Measurement& measurement) {
   const auto& [p, b, k, logarithm, error, of_computation] = measurement;
-  auto light = night.expected.empty() ? std::array<double, 3>{}
-                                      : rec709_of(night.expected.row(rows.own(p, b)));
-  if (night.expected.empty()) std::ranges::copy(photograph.scene->usual_values.row(b), &light[0]);
+  const auto usual = xyz_of_rec709(photograph.scene->usual_values.row(b));
+  const std::span<const double> xyz =
+      night.expected.empty() ? std::span<const double>(usual) : night.expected.row(rows.own(p, b));
+  const auto& colours = photograph.colours;
+  const auto light = rec709_by(colours, xyz, least_of_brightest);
   const auto written = mixed(light, night.mixing);
   const auto brightest =
       static_cast<std::size_t>(std::ranges::max_element(written) - written.begin());
   const auto seen = photograph.light.values.row(b);
-  // measured light, scaled so that its brightest channel is as bright as expected
+  // the photograph's own light, scaled to the brightness expected in its brightest channel
   const double as_bright =
       seen[brightest] > 0 ? seen[k] / seen[brightest] * written[brightest] : written[k];
   const double least = least_of_brightest * written[brightest];
   const double mean = logarithmic_mean(std::max(as_bright, least), std::max(written[k], least));
-  for (double& value : light) value /= mean;
-  return light;
+  Growth growth{light, colours ? parts_of(k, *colours, xyz) / mean : glm::dvec3(0)};
+  for (double& value : growth.by_channel) value /= mean;
+  return growth;
+}
+
+/// ln(light in the expected air / light in another air) by bin and channel: (photograph × bins + bin, channel).
+algebra::Grid<double> dimming(std::span<const Binned> photographs, const NightErrors& night,
+                              const NightRows& rows, const algebra::Grid<double>& other) {
+  const double least = is_mixed(photographs) ? least_of_brightest : 0;
+  algebra::Grid<double> all(photographs.size() * rows.bins, 3);
+  for (std::size_t p = 0; p < photographs.size(); ++p)
+    for (std::size_t b = 0; b < rows.bins; ++b) {
+      const auto row = rows.own(p, b);
+      const auto& colours = photographs[p].colours;
+      const auto before = as_written(night.expected.row(row), colours, night.mixing, least),
+                 after = as_written(other.row(row), colours, night.mixing, least);
+      for (std::size_t k = 0; k < 3; ++k)
+        all(p * rows.bins + b, k) = std::log(before[k] / after[k]);
+    }
+  return all;
 }
 
 /// How much less cloud brightens each bin and channel, relative to red light in the umbra on average: a grid
@@ -65,18 +91,13 @@ algebra::Grid<double> dimming_by_cloud(std::span<const Binned> photographs,
                                        const NightErrors& night, const NightRows& rows) {
   constexpr double least_distance_km = 1000, most_distance_km = 4000;
   if (night.clouded.empty()) return {};
-  const double least = is_mixed(photographs) ? least_of_brightest : 0;
-  algebra::Grid<double> all(photographs.size() * rows.bins, 3);
+  auto all = dimming(photographs, night, rows, night.clouded);
   double red = 0, count = 0;
   for (std::size_t p = 0; p < photographs.size(); ++p)
     for (std::size_t b = 0; b < rows.bins; ++b) {
-      const auto row = all.row(p * rows.bins + b);
-      const auto before = as_written(night.expected.row(rows.own(p, b)), night.mixing, least),
-                 after = as_written(night.clouded.row(rows.own(p, b)), night.mixing, least);
-      for (std::size_t k = 0; k < 3; ++k) row[k] = std::log(before[k] / after[k]);
       const double distance_km = photographs[p].scene->distances_km[b];
       if (distance_km < least_distance_km || distance_km > most_distance_km) continue;
-      red += row[0];
+      red += all(p * rows.bins + b, 0);
       ++count;
     }
   if (count == 0 || red <= 0) return {};
@@ -86,30 +107,52 @@ algebra::Grid<double> dimming_by_cloud(std::span<const Binned> photographs,
   return all;
 }
 
+/// Shares of the limb in each photograph's bins, or nothing if no photograph is in question of weather.
+using Limbs = std::vector<algebra::Grid<double>>;
+Limbs limbs_of(std::span<const Binned> photographs) {
+  Limbs limbs;
+  if (std::ranges::any_of(photographs,
+                          [](const Binned& one) { return one.errors.weather_error > 0; }))
+    for (const auto& one : photographs) limbs.push_back(limb_of_bins(*one.scene));
+  return limbs;
+}
+
+/// The nuisance "aerosol", with a parameter for each part of the limb: the month's aerosol differs from place to place.
+Nuisance aerosol_of(std::span<const Binned> photographs, const NightErrors& night,
+                    const NightRows& rows, const Limbs& limbs) {
+  constexpr double over_weather = 3;
+  if (limbs.empty() || night.dusty.empty()) return {"aerosol", SharedBy::night, 0, {}, {}};
+  const auto by_aerosol = dimming(photographs, night, rows, night.dusty);
+  return {"aerosol", SharedBy::night, weather_sectors,
+          [=](const Measurement& m) {
+            return over_weather * photographs[m.photograph].errors.weather_error;
+          },
+          [=, by = night.dusty_by](const Measurement& m, std::size_t sector) {
+            return limbs[m.photograph](m.bin, sector) *
+                   by_aerosol(m.photograph * rows.bins + m.bin, m.channel) / by;
+          }};
+}
+
 /// The nuisance "weather", with a parameter for each part of the limb, change in time, and kind of weather.
 Nuisance weather_of(std::span<const Binned> photographs, const NightErrors& night,
-                    const NightRows& rows) {
-  const bool any = std::ranges::any_of(
-      photographs, [](const Binned& one) { return one.errors.weather_error > 0; });
-  if (!any) return {"weather", SharedBy::night, 0, {}, {}};
+                    const NightRows& rows, const Limbs& limbs) {
+  if (limbs.empty()) return {"weather", SharedBy::night, 0, {}, {}};
   std::vector<double> seconds;
   for (const auto& one : photographs)
     seconds.push_back(
         almanac::seconds_between(photographs.front().scene->sky.when, one.scene->sky.when));
   const auto changes = weather_changes(seconds);
-  std::vector<algebra::Grid<double>> limbs;
-  for (const auto& one : photographs) limbs.push_back(limb_of_bins(*one.scene));
-  const auto dimming = dimming_by_cloud(photographs, night, rows);
-  const std::size_t kinds = dimming.empty() ? weather_kinds : weather_kinds_beside_cloud;
+  const auto by_cloud = dimming_by_cloud(photographs, night, rows);
+  const std::size_t kinds = by_cloud.empty() ? weather_kinds : weather_kinds_beside_cloud;
   return {"weather", SharedBy::night, changes.columns() * kinds * weather_sectors,
           [=](const Measurement& m) { return photographs[m.photograph].errors.weather_error; },
           [=](const Measurement& m, std::size_t parameter) {
             const auto kind = parameter / weather_sectors % kinds;
             const double of_kind =
-                dimming.empty() || kind == weather_of_blue
+                by_cloud.empty() || kind == weather_of_blue
                     ? light_by_weather(kind, m.channel,
                                        photographs[m.photograph].scene->distances_km[m.bin])
-                    : dimming(m.photograph * rows.bins + m.bin, m.channel);
+                    : by_cloud(m.photograph * rows.bins + m.bin, m.channel);
             return limbs[m.photograph](m.bin, parameter % weather_sectors) * of_kind *
                    changes(m.photograph, parameter / weather_sectors / kinds);
           }};
@@ -132,8 +175,10 @@ bool is_mixed(std::span<const Binned> photographs) {
                              [](const Binned& one) { return one.errors.mixing_error > 0; });
 }
 
-std::array<double, 3> as_written(std::span<const double> xyz, const Mixing& mixing, double least) {
-  const auto rgb = rec709_of(xyz);
+std::array<double, 3> as_written(std::span<const double> xyz,
+                                 const std::optional<CameraColours>& colours, const Mixing& mixing,
+                                 double least) {
+  const auto rgb = rec709_by(colours, xyz, least);
   auto written = mixed(rgb, mixing);
   const double dark = std::max(1e-12, least * *std::ranges::max_element(rgb));
   for (double& value : written) value = std::max(value, dark);
@@ -142,34 +187,36 @@ std::array<double, 3> as_written(std::span<const double> xyz, const Mixing& mixi
 
 std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const NightErrors& known) {
   constexpr auto night = SharedBy::night, each = SharedBy::photograph;
-  constexpr double white_balance_drift = 0.003;
   const auto rows = rows_of(photographs, known);
   const auto of = [=](const Measurement& m) -> const Binned& { return photographs[m.photograph]; };
   const auto errors = [=](const Measurement& m) -> const PhotometricErrors& {
     return of(m).errors;
   };
   const auto scaled = [=](const Measurement& m) { return errors(m).value_per_cd_m2.has_value(); };
-  const auto fixed = [=](const Measurement& m) { return errors(m).white_balance_fixed; };
+  const auto shared = [=](const Measurement& m) { return errors(m).white_balance_shared; };
   const auto alike = [](const Measurement&, std::size_t) { return 1.; };
-  const auto red_or_blue = [](const Measurement& m, std::size_t n) {
-    return m.channel == 2 * n ? 1. : 0.;
-  };
   const auto over_light = [=](const Measurement& m) {
     return 1 / of(m).light.values(m.bin, m.channel);
   };
   const auto growth = [=, &known](const Measurement& m) {
-    return growth_by_mixing(of(m), known, rows, m);
+    return growth_of(of(m), known, rows, m);
+  };
+  const auto red_or_blue = [=](const Measurement& m, std::size_t n) {
+    const auto gain = static_cast<int>(2 * n);
+    if (of(m).colours) return growth(m).by_gain[gain];
+    return m.channel == 2 * n ? 1. : 0.;
   };
   const bool curved =
       std::ranges::any_of(photographs, [](const Binned& one) { return !one.light.slopes.empty(); });
   const std::size_t cameras =
       photographs.empty() ? 0 : photographs.front().scene->by_filters.size();
   const bool any_mixed = is_mixed(photographs);
+  const auto limbs = limbs_of(photographs);
   return {
       {"exposure", night, 1,
        [=](const Measurement& m) { return scaled(m) ? errors(m).exposure_error : 0; }, alike},
       {"white balance", night, 2,
-       [=](const Measurement& m) { return fixed(m) ? errors(m).white_balance_error : 0; },
+       [=](const Measurement& m) { return shared(m) ? errors(m).white_balance_error : 0; },
        red_or_blue},
       {"tone curve", night, curved ? colour::tone_numbers : 0,
        [=](const Measurement& m) { return of(m).light.slopes.empty() ? 0. : 1.; },
@@ -179,7 +226,7 @@ std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const Ni
       {"saturation", night, any_mixed ? 1UL : 0,
        [=](const Measurement& m) { return errors(m).saturation_error; },
        [=](const Measurement& m, std::size_t) {
-         const auto by = growth(m);
+         const auto by = growth(m).by_channel;
          return by[m.channel] -
                 std::inner_product(by.begin(), by.end(), luminance_of_rec709.begin(), 0.);
        }},
@@ -187,7 +234,7 @@ std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const Ni
       {"mixing", night, any_mixed ? 6UL : 0,
        [=](const Measurement& m) { return errors(m).mixing_error; },
        [=](const Measurement& m, std::size_t n) {
-         return n / 2 == m.channel ? growth(m)[(n % 2) + (n % 2 >= m.channel)] : 0;
+         return n / 2 == m.channel ? growth(m).by_channel[(n % 2) + (n % 2 >= m.channel)] : 0;
        }},
       // with this prior, the error has the covariance of the cameras around the assumed one
       {"filters", night, cameras,
@@ -195,7 +242,8 @@ std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const Ni
        [=](const Measurement& m, std::size_t n) {
          return of(m).scene->by_filters[n](m.bin, m.channel);
        }},
-      weather_of(photographs, known, rows),
+      weather_of(photographs, known, rows, limbs),
+      aerosol_of(photographs, known, rows, limbs),
       {"shutter", each, 1,
        [=](const Measurement& m) {
          return scaled(m) ? errors(m).shutter_error : unknown_deviation;
@@ -203,9 +251,20 @@ std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const Ni
        alike},
       {"own white balance", each, 2,
        [=](const Measurement& m) {
-         return fixed(m) ? white_balance_drift : errors(m).white_balance_error;
+         return shared(m) ? errors(m).white_balance_drift : errors(m).white_balance_error;
        },
        red_or_blue},
+      {"dark channels", each, any_mixed ? 3UL : 0,
+       [=](const Measurement& m) { return errors(m).dark_error; },
+       [=](const Measurement& m, std::size_t n) {
+         return n == m.channel ? std::ranges::max(of(m).light.values.row(m.bin)) * over_light(m)
+                               : 0;
+       }},
+      {"contrast", each, curved ? 1UL : 0,
+       [=](const Measurement& m) { return errors(m).contrast_error; },
+       [=](const Measurement& m, std::size_t) {
+         return -std::log(std::ranges::max(of(m).light.values.values()) * over_light(m));
+       }},
       {"sky", each, 3,
        [=](const Measurement& m) { return of(m).light.sky_errors(m.bin, m.channel); },
        [=](const Measurement& m, std::size_t n) { return n == m.channel ? over_light(m) : 0; }},

@@ -53,6 +53,8 @@ struct NightErrors {
   algebra::Grid<double>
       expected{};  ///< light for the best air, in NightRows; if empty, usual air is used
   algebra::Grid<double> clouded{};  ///< light for that air with more cloud; empty if not known
+  algebra::Grid<double> dusty{};    ///< light for that air with more aerosol; empty if not known
+  double dusty_by = 0;              ///< ln(aerosol in `dusty` / in `expected`)
   double clouded_by = 0;  ///< ln(chance of cloud in `clouded` / in `expected`); 0 for a deck
 };
 
@@ -106,6 +108,8 @@ Design design_of(std::span<const Nuisance> table, std::span<const Measurement> m
 
 /// A bin's light as a camera with this matrix writes it, in linear Rec.709. Each channel is raised to at least `least`
 /// times the brightest one.
-std::array<double, 3> as_written(std::span<const double> xyz, const Mixing& mixing, double least);
+std::array<double, 3> as_written(std::span<const double> xyz,
+                                 const std::optional<CameraColours>& colours, const Mixing& mixing,
+                                 double least);
 
 }  // namespace coppermoon::uses

@@ -154,7 +154,7 @@ std::vector<Binned> binned(std::span<const Reading> readings, std::span<const Pl
   for (const auto i : order_of(placed)) {
     const auto& [left_out, scene, registration, px_per_rad, in_others_scale, in_its_air] =
         placed[i];
-    all.push_back({i, scene,
+    all.push_back({i, readings[i].colours, scene,
                    binned(*scene, readings[i].moon, registration.render_to_photo,
                           readings[i].curved ? std::optional(curve) : std::nullopt),
                    readings[i].errors});

@@ -3,6 +3,7 @@
 
 #include "colour/camera.h"
 #include "colour/exposure.h"
+#include "uses/picture/as_shot_balance.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -22,8 +23,10 @@ std::optional<colour::Exposure> exposure_of(const EclipsePhotograph& photograph,
 }
 
 PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& photograph,
-                            const Reading& reading) {
+                            const Reading& reading, bool as_shot) {
   constexpr double of_automatic_white_balance = 0.3, of_known_colours = 0.03;
+  constexpr double of_as_shot = 0.06, of_as_shot_by_another = 0.2, as_shot_drift = 0.02;
+  constexpr double of_shutter = 0.03, of_brightness = 0.1;
   constexpr double of_exposures = 0.1, free = 10;
   const bool curved = reading.curved, raw = texture::is_raw_file(photograph.file);
   const auto header = settings_of(photograph.file);
@@ -31,13 +34,18 @@ PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& 
   const bool relative = reading.clipped_at || (header.gain && !photograph.iso && !header.iso);
   PhotometricErrors errors{
       .exposure_error = request.exposure_error.value_or(curved || relative ? free : of_exposures),
-      .shutter_error = request.shutter_error,
-      .white_balance_error = request.white_balance_error.value_or(
-          curved ? of_automatic_white_balance : of_known_colours),
-      .white_balance_fixed = white_balance_is_fixed(photograph.file),
+      .shutter_error = request.shutter_error.value_or(curved ? of_brightness : of_shutter),
+      .white_balance_error =
+          request.white_balance_error.value_or(!curved    ? of_known_colours
+                                               : !as_shot ? of_automatic_white_balance
+                                               : request.response_assumed ? of_as_shot_by_another
+                                                                          : of_as_shot),
+      .white_balance_shared = as_shot || white_balance_is_fixed(photograph.file),
       .weather_error = request.weather_error.value_or(curved || raw ? 0.1 : 0)};
   // a camera's matrix is wrong by a few per cent, except for a raw file from known filters
   if (curved || (raw && !request.moon.response)) errors.mixing_error = 0.03;
+  if (as_shot) errors.white_balance_drift = as_shot_drift;
+  if (curved) errors.dark_error = 0.02, errors.contrast_error = 0.05;
   if (curved) errors.saturation_error = 0.2;  // JPEG styles scale saturation by 0.8 to 1.3
   if (const auto exposure = exposure_of(photograph, header, errors.exposure_error >= free))
     errors.value_per_cd_m2 =
@@ -60,7 +68,9 @@ Reading reading_of(const FitRequest& request, const EclipsePhotograph& photograp
     if (reading.clipped_at)
       for (float& value : photo.values) value /= static_cast<float>(reading.clipped_at->light);
     reading.moon = moon_part(photo);
-    reading.errors = errors_of(request, photograph, reading);
+    const auto as_shot = reading.curved ? as_shot_balance(photograph.file) : std::nullopt;
+    if (reading.curved) reading.colours = camera_colours(request.moon.response, as_shot);
+    reading.errors = errors_of(request, photograph, reading, as_shot.has_value());
   } catch (const algebra::Error& error) {
     reading.left_out = reason_without_name(photograph.file, error);
   }

@@ -122,7 +122,8 @@ std::optional<double> iso_of(const std::string& photo) {
 /// An APEX value from the header.
 std::optional<double> apex_of(const std::string& photo, std::string_view name) {
   const auto stops = algebra::number_in(texture::read_attribute(photo, name).value_or(""));
-  return stops && std::isfinite(*stops) ? stops : std::nullopt;
+  constexpr double most = 40;  // cameras without a lens write 2³¹
+  return stops && std::abs(*stops) < most ? stops : std::nullopt;
 }
 
 /// Exposure time from the header's APEX value if it agrees with the time shown, otherwise from the time shown. Canon

@@ -72,7 +72,7 @@ std::optional<uses::Unknowns> unknowns_named(const std::optional<std::string>& n
 
 Told<FitReport> fit_of(const py::iterable& magnitudes, std::vector<EclipsePhotograph> photographs,
                        const std::optional<Place>& at, const std::string& camera,
-                       std::optional<double> exposure_error, double shutter_error,
+                       std::optional<double> exposure_error, std::optional<double> shutter_error,
                        std::optional<double> white_balance_error, double clock_error_s,
                        bool half_hours_free, const std::optional<std::string>& unknowns,
                        const std::optional<uses::Air>& air,
@@ -153,7 +153,7 @@ void add_fit(py::module_& package) {
   TextureKeywords keywords{.moon = {}};
   const auto parameters = fit_keywords(keywords);
   const auto doc = fmt::format(
-      R"(fit(magnitudes=(), *, photographs=(), at=None, camera='', exposure_error=None, shutter_error=0.03, white_balance_error=None, clock_error_s=0.0, half_hours_free=False, unknowns=None, air=None, light=None, {}, progress=None)
+      R"(fit(magnitudes=(), *, photographs=(), at=None, camera='', exposure_error=None, shutter_error=None, white_balance_error=None, clock_error_s=0.0, half_hours_free=False, unknowns=None, air=None, light=None, {}, progress=None)
 
 The aerosol, cloud and ozone that explain photographs of the Moon and measured magnitudes of the whole Moon, of one
 eclipse or several, all at once.
@@ -165,8 +165,8 @@ photographs: Photograph(file, when); those of one camera and eclipse share a clo
 at: where the photographs were taken, a city or (latitude, longitude) in degrees
 camera: name of the camera whose saturation is meant, as the command knows it; default: ISO 12232's
 exposure_error: standard, of the exposures' logarithm, 0.001 to 10; None: 0.1, of a camera's own tone curve free
-shutter_error: standard, of the logarithm of one exposure beside the night's others, 0.001 to 10
-white_balance_error: standard, of red and blue over green, 0.001 to 10; None: 0.03, of a camera's own tone curve 0.3
+shutter_error: standard, of the logarithm of one exposure beside the night's others, 0.001 to 10; None: 0.03, of a camera's own JPEGs 0.1
+white_balance_error: standard, of red and blue over green, 0.001 to 10; None: 0.03, of a camera's own JPEGs 0.3, or 0.06 to 0.2 if their header has the gains as shot
 clock_error_s: standard, of each camera's clock, 0 to 3600; its own error is then found
 half_hours_free: moments may be wrong by any whole number of half hours besides
 unknowns: 'factors' on the stratospheric aerosol, chance of cloud and ozone that the month has; 'amounts' of dust, of a
@@ -185,7 +185,7 @@ light: limb_darkening, scattered_light and starlight; nothing else of it counts
       signature_of(parameters), lines_of(parameters));
   package.def("fit", fit_of, "magnitudes"_a = py::tuple(), py::kw_only(),
               "photographs"_a = std::vector<EclipsePhotograph>{}, "at"_a = py::none(),
-              "camera"_a = "", "exposure_error"_a = py::none(), "shutter_error"_a = 0.03,
+              "camera"_a = "", "exposure_error"_a = py::none(), "shutter_error"_a = py::none(),
               "white_balance_error"_a = py::none(), "clock_error_s"_a = 0.,
               "half_hours_free"_a = false, "unknowns"_a = py::none(), "air"_a = py::none(),
               "light"_a = py::none(), "progress"_a = py::none(), doc.c_str());

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "uses/fit/camera_colours.h"
+
+#include <algorithm>
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/matrix.hpp>
+
+#include "colour/camera_spectra.h"
+#include "colour/working_space.h"
+#include "uses/fit/fit_scene.h"
+
+namespace coppermoon::uses {
+namespace {
+
+glm::dvec3 vector_of(std::span<const double> xyz) { return {xyz[0], xyz[1], xyz[2]}; }
+
+}  // namespace
+
+CameraColours camera_colours(const std::optional<std::string>& response,
+                             const std::optional<std::array<double, 3>>& as_shot) {
+  CameraColours colours;
+  colours.channels_from_xyz = colour::channels_from_xyz(colour::WorkingSpace::linear_rec709);
+  if (!response || !colour::is_spectral(*response)) return colours;
+  const auto spectra = colour::camera_spectra(*response);
+  colours.rec709_from_channels = colours.channels_from_xyz * spectra.xyz_from_balanced;
+  colours.channels_from_xyz = glm::inverse(spectra.xyz_from_balanced);
+  if (as_shot)
+    colours.gains =
+        vector_of(*as_shot) * spectra.daylight / spectra.daylight.g;  // daylight's are its inverse
+  return colours;
+}
+
+std::array<double, 3> rec709_by(const std::optional<CameraColours>& colours,
+                                std::span<const double> xyz, double least) {
+  constexpr double dark = 1e-12;
+  if (!colours) return rec709_of(xyz);
+  const auto rgb = colours->rec709_from_channels *
+                   (colours->gains * (colours->channels_from_xyz * vector_of(xyz)));
+  const double floor = std::max(dark, least * std::max({rgb.r, rgb.g, rgb.b}));
+  return {std::max(rgb.r, floor), std::max(rgb.g, floor), std::max(rgb.b, floor)};
+}
+
+glm::dvec3 parts_of(std::size_t channel, const CameraColours& colours,
+                    std::span<const double> xyz) {
+  const auto channels = colours.gains * (colours.channels_from_xyz * vector_of(xyz));
+  const auto row = glm::row(colours.rec709_from_channels, static_cast<int>(channel));
+  return row * channels;
+}
+
+}  // namespace coppermoon::uses

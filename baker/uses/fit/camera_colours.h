@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace coppermoon::uses {
+
+/// How a camera's own JPEG turns light into linear Rec.709: it multiplies the sensor's channels by gains, then mixes
+/// them. In deep red light this differs much from gains on Rec.709 itself, where the sensor's green and blue
+/// cancel.
+struct CameraColours {
+  glm::dmat3 channels_from_xyz{1};     ///< channels in which daylight (D65) is white
+  glm::dmat3 rec709_from_channels{1};  ///< with daylight's white balance
+  glm::dvec3 gains{1};                 ///< as shot, relative to daylight's
+};
+
+/// Colours of a camera with a response.
+///
+/// Given   response  as in MoonRequest; any but a spectral one has the channels of Rec.709
+///         as_shot   gains of the channels as as_shot_balance gives them; if absent, daylight's
+/// Throws  Error     as colour::camera_spectra
+CameraColours camera_colours(const std::optional<std::string>& response,
+                             const std::optional<std::array<double, 3>>& as_shot);
+
+/// Moonlight as a camera writes it: linear Rec.709, each channel at least `least` times the brightest, and 1e-12.
+///
+/// Given  colours  if absent, light is brought into the gamut as in renders
+///        xyz      of moonlight, in any unit
+std::array<double, 3> rec709_by(const std::optional<CameraColours>& colours,
+                                std::span<const double> xyz, double least);
+
+/// Parts of a Rec.709 channel's light that come from the camera's red, green and blue channels.
+///
+/// Given  xyz  of moonlight, in any unit
+glm::dvec3 parts_of(std::size_t channel, const CameraColours& colours, std::span<const double> xyz);
+
+}  // namespace coppermoon::uses
