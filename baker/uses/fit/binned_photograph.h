@@ -39,7 +39,6 @@ struct PhotometricErrors {
   double weather_error = 0;
   double mixing_error = 0;      ///< of each off-diagonal element of the camera's matrix
   double dark_error = 0;        ///< of each channel's light, relative to the brightest channel's
-  double contrast_error = 0;    ///< of the exponent with which this photograph's light is written
   double saturation_error = 0;  ///< of the saturation of its colours, which JPEG styles vary
 };
 

@@ -120,7 +120,7 @@ Limbs limbs_of(std::span<const Binned> photographs) {
 /// The nuisance "aerosol", with a parameter for each part of the limb: the month's aerosol differs from place to place.
 Nuisance aerosol_of(std::span<const Binned> photographs, const NightErrors& night,
                     const NightRows& rows, const Limbs& limbs) {
-  constexpr double over_weather = 3;
+  constexpr double over_weather = 1.5;
   if (limbs.empty() || night.dusty.empty()) return {"aerosol", SharedBy::night, 0, {}, {}};
   const auto by_aerosol = dimming(photographs, night, rows, night.dusty);
   return {"aerosol", SharedBy::night, weather_sectors,
@@ -259,11 +259,6 @@ std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const Ni
        [=](const Measurement& m, std::size_t n) {
          return n == m.channel ? std::ranges::max(of(m).light.values.row(m.bin)) * over_light(m)
                                : 0;
-       }},
-      {"contrast", each, curved ? 1UL : 0,
-       [=](const Measurement& m) { return errors(m).contrast_error; },
-       [=](const Measurement& m, std::size_t) {
-         return -std::log(std::ranges::max(of(m).light.values.values()) * over_light(m));
        }},
       {"sky", each, 3,
        [=](const Measurement& m) { return of(m).light.sky_errors(m.bin, m.channel); },

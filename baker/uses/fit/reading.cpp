@@ -26,6 +26,7 @@ PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& 
                             const Reading& reading, bool as_shot) {
   constexpr double of_automatic_white_balance = 0.3, of_known_colours = 0.03;
   constexpr double of_as_shot = 0.06, of_as_shot_by_another = 0.2, as_shot_drift = 0.02;
+  constexpr double of_weather = 0.2;
   constexpr double of_shutter = 0.03, of_brightness = 0.1;
   constexpr double of_exposures = 0.1, free = 10;
   const bool curved = reading.curved, raw = texture::is_raw_file(photograph.file);
@@ -41,11 +42,11 @@ PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& 
                                                : request.response_assumed ? of_as_shot_by_another
                                                                           : of_as_shot),
       .white_balance_shared = as_shot || white_balance_is_fixed(photograph.file),
-      .weather_error = request.weather_error.value_or(curved || raw ? 0.1 : 0)};
+      .weather_error = request.weather_error.value_or(curved || raw ? of_weather : 0)};
   // a camera's matrix is wrong by a few per cent, except for a raw file from known filters
   if (curved || (raw && !request.moon.response)) errors.mixing_error = 0.03;
   if (as_shot) errors.white_balance_drift = as_shot_drift;
-  if (curved) errors.dark_error = 0.02, errors.contrast_error = 0.05;
+  if (curved) errors.dark_error = 0.02;
   if (curved) errors.saturation_error = 0.2;  // JPEG styles scale saturation by 0.8 to 1.3
   if (const auto exposure = exposure_of(photograph, header, errors.exposure_error >= free))
     errors.value_per_cd_m2 =
