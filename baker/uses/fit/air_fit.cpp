@@ -110,12 +110,13 @@ Evaluation evaluated(const Axes& axes, std::span<const DataSet> data,
   return all;
 }
 
-/// Posterior mean and standard error of a clock's correction over all air on the grid, with variances times `scale`.
-ClockError over_all_air(const algebra::Grid<double>& chi_squared, double least, double scale,
+/// Posterior mean and standard error of a clock's correction over all air on the grid, with its variances times `scale`.
+ClockError over_all_air(const algebra::Grid<double>& chi_squared, double scale,
                         const algebra::Grid<ClockError>& clocks) {
+  const double least = *std::ranges::min_element(chi_squared.values());
   double sum = 0, mean = 0, squares = 0;
   for (std::size_t i = 0; i < chi_squared.values().size(); ++i) {
-    const double mass = std::exp((least - chi_squared.values()[i]) / scale / 2);
+    const double mass = std::exp((least - chi_squared.values()[i]) / 2);
     const auto& [seconds, error_s, zone] = clocks.values()[i];
     sum += mass;
     mean += mass * seconds;
@@ -125,22 +126,33 @@ ClockError over_all_air(const algebra::Grid<double>& chi_squared, double least, 
   return {mean, std::sqrt(std::max(0., squares / sum - mean * mean)), {}};
 }
 
-/// Posterior from χ² on a grid, with all variances enlarged by a factor. If the grid's steps are fine enough, χ² is
-/// interpolated between them.
-Posterior posterior_over(const Axes& axes, const algebra::Grid<double>& chi_squared, double scale) {
-  std::vector<double> scaled;
+/// χ² of the data, divided by a factor that enlarges their variances, and of the prior, on a grid.
+algebra::Grid<double> with_prior(const Axes& axes, const std::array<Unknown, 3>& unknowns,
+                                 algebra::Grid<double> chi_squared, double scale) {
+  for (std::size_t row = 0; row < chi_squared.rows(); ++row)
+    for (std::size_t j = 0; j < axes[1].size(); ++j)
+      chi_squared(row, j) = chi_squared(row, j) / scale +
+                            unknowns[0].chi_squared_of_prior(axes[0][row / axes[2].size()]) +
+                            unknowns[1].chi_squared_of_prior(axes[1][j]) +
+                            unknowns[2].chi_squared_of_prior(axes[2][row % axes[2].size()]);
+  return chi_squared;
+}
+
+/// Posterior from χ² on a grid. If the grid's steps are fine enough, χ² is interpolated between them.
+Posterior posterior_over(const Axes& axes, const algebra::Grid<double>& chi_squared) {
+  std::vector<double> in_order;
   for (std::size_t i = 0; i < axes[0].size(); ++i)
     for (std::size_t j = 0; j < axes[1].size(); ++j)
       for (std::size_t k = 0; k < axes[2].size(); ++k)
-        scaled.push_back(chi_squared(i * axes[2].size() + k, j) / scale);
-  const auto on_grid = posterior(axes, scaled);
+        in_order.push_back(chi_squared(i * axes[2].size() + k, j));
+  const auto on_grid = posterior(axes, in_order);
   if (!are_fine(axes, on_grid)) return on_grid;
   auto finer_axes = axes;
-  make_finer(finer_axes, scaled);
-  return posterior(finer_axes, scaled);
+  make_finer(finer_axes, in_order);
+  return posterior(finer_axes, in_order);
 }
 
-/// Values of the unknowns where χ² is least.
+/// Values of the unknowns that are most probable.
 AirNumbers best_of(const Axes& axes, const std::array<Unknown, 3>& unknowns,
                    const algebra::Grid<double>& chi_squared) {
   const auto place = static_cast<std::size_t>(std::ranges::min_element(chi_squared.values()) -
@@ -208,22 +220,26 @@ AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progre
     });
     const double least = *std::ranges::min_element(chi_squared.values()),
                  scale = std::max(1., least / chi_squared_by_chance(freedom));
-    result.posterior = posterior_over(axes, chi_squared, scale);
+    const auto& unknowns = unknowns_of(result.unknowns);
+    const auto whole = with_prior(axes, unknowns, chi_squared, scale);
+    result.posterior = posterior_over(axes, whole);
     result.posterior.least_chi_squared = least;
     if (look == most_looks || (look >= looks && are_fine(axes, result.posterior))) {
-      result.best = best_of(axes, unknowns_of(result.unknowns), chi_squared);
-      for (const auto& clock : clocks)
-        result.clocks.push_back(over_all_air(chi_squared, least, scale, clock));
+      result.best = best_of(axes, unknowns, whole);
+      for (const auto& clock : clocks) result.clocks.push_back(over_all_air(whole, scale, clock));
       break;
     }
     axes = axes_about(result.posterior, axes, look);
   }
-  // information is relative to the whole prior range, not to the range of the last grid
+  // information is relative to the prior over the whole range, not to the range of the last grid
   const auto whole = axes_over(result.unknowns, whole_range(result.unknowns));
   for (std::size_t a = 0; a < whole.size(); ++a) {
     auto& information = result.posterior.estimates[a].information;
     const double share = (axes[a].back() - axes[a].front()) / (whole[a].back() - whole[a].front());
-    information = 1 - (1 - information) * share * share;
+    const double deviation = unknowns_of(result.unknowns)[a].deviation,
+                 length = whole[a].back() - whole[a].front(),
+                 narrower = deviation > 0 ? length * length / 12 / (deviation * deviation) : 1;
+    information = std::max(0., 1 - (1 - information) * share * share * std::max(1., narrower));
   }
   return result;
 }

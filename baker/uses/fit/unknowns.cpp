@@ -10,20 +10,26 @@ namespace {
 
 constexpr std::array<Unknown, 3> of_factors{
     {{"stratospheric-factor", "stratospheric_factor", "stratospheric aerosol", "times the month's",
-      0.1, 20, true},
-     {"cloud-chance", "cloud_chance", "chance of cloud", "times the usual", 0.05, 5, true},
-     {"ozone-factor", "ozone_factor", "ozone", "times the month's", 0.4, 1.7, false}}};
+      0.1, 20, true, 0.7},
+     {"cloud-chance", "cloud_chance", "chance of cloud", "times the usual", 0.05, 5, true, 0.7},
+     {"ozone-factor", "ozone_factor", "ozone", "times the month's", 0.4, 1.7, false, 0.15}}};
 
 constexpr std::array<Unknown, 3> of_amounts{
-    {{"dust-extinction", "dust_extinction_per_m", "dust", "1/m", 2e-7, 3e-5, true},
-     {"cloud-cover", "cloud_cover", "cloud cover", "", 0, 1, false},
-     {"ozone-du", "ozone_du", "ozone", "DU", 100, 500, false}}};
+    {{"dust-extinction", "dust_extinction_per_m", "dust", "1/m", 2e-7, 3e-5, true, 0},
+     {"cloud-cover", "cloud_cover", "cloud cover", "", 0, 1, false, 0},
+     {"ozone-du", "ozone_du", "ozone", "DU", 100, 500, false, 0}}};
 
 }  // namespace
 
 double Unknown::on_axis(double value) const { return logarithmic ? std::log(value) : value; }
 
 double Unknown::from_axis(double place) const { return logarithmic ? std::exp(place) : place; }
+
+double Unknown::chi_squared_of_prior(double place) const {
+  if (deviation == 0) return 0;
+  const double off = (place - on_axis(1)) / deviation;
+  return off * off;
+}
 
 const std::array<Unknown, 3>& unknowns_of(Unknowns unknowns) {
   return unknowns == Unknowns::factors ? of_factors : of_amounts;

@@ -14,19 +14,25 @@ enum class Unknowns {
   amounts  ///< dust [1/m], share of the limb under a deck of cloud (replaces the chance of cloud), ozone [DU]
 };
 
-/// One unknown: its name as a parameter of the air, and its prior, which is uniform between two limits.
+/// One unknown: its name as a parameter of the air, and its prior between two limits. The prior is uniform, or normal on
+/// the posterior's axis around the month's air, which differs from the mean of its month.
 struct Unknown {
   std::string_view parameter;  ///< "stratospheric-factor"
   std::string_view key;        ///< in JSON and Python: "stratospheric_factor"
   std::string_view title;      ///< "stratospheric aerosol"
   std::string_view unit;       ///< empty for a pure number
   double least, most;
-  bool logarithmic;  ///< whether the prior is uniform in the logarithm
+  bool logarithmic;  ///< whether the posterior's axis is the logarithm
+  double
+      deviation;  ///< standard deviation of a normal prior around 1, on the posterior's axis; 0 if it is uniform
 
   /// Convert a value to its place on a posterior's axis, and back. The place is the value's logarithm if the prior is
   /// logarithmic, else the value itself.
   double on_axis(double value) const;
   double from_axis(double place) const;
+
+  /// Contribution of a normal prior to χ²; 0 if it is uniform.
+  double chi_squared_of_prior(double place) const;
 };
 
 /// Values of the unknowns: aerosol, cloud, ozone.
