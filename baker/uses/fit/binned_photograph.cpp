@@ -185,8 +185,7 @@ BinnedPhotograph binned(const FitScene& scene, const MoonPart& moon,
                : colour::resampled(channel, back, fit_side_px, fit_side_px);
   };
   const colour::ToneTable table(curve.value_or(colour::ToneCurve{}));
-  const auto clipped =
-      brought(clipped_in(photo, curve ? static_cast<float>(colour::most_displayed) : 0.97F));
+  const auto clipped = brought(clipped_in(photo, moon.saturated));
   const double noise_of_means = colour::noise_of_means(render_to_photo.scale);
   const double stretched = curve ? std::exp(colour::tone_logarithm(*curve, 0)) : 1;
   for (std::size_t k = 0; k < 3; ++k) {

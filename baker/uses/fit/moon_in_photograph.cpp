@@ -110,7 +110,7 @@ algebra::Grid<float> clipped_in(const texture::Image& photo, float saturated) {
   return clipped;
 }
 
-MoonPart moon_part(const texture::Image& photo) {
+MoonPart moon_part(const texture::Image& photo, float saturated) {
   constexpr double margin = 1.8, least_radius_px = 0.75 * fit_disc_share * fit_side_px;
   const auto disc = disc_in(luminance_of(photo));
   const auto window = colour::window_about({disc.x_px, disc.y_px, margin * disc.radius_px},
@@ -118,16 +118,18 @@ MoonPart moon_part(const texture::Image& photo) {
   const auto by =
       static_cast<std::size_t>(std::max(1., std::floor(disc.radius_px / least_radius_px)));
   MoonPart part{.photo = {window.columns / by, window.rows / by, photo.channels},
-                .shrunk = static_cast<double>(by)};
+                .shrunk = static_cast<double>(by),
+                .saturated = saturated};
   for (std::size_t r = 0; r < part.photo.height; ++r)
     for (std::size_t c = 0; c < part.photo.width; ++c)
       for (std::size_t k = 0; k < photo.channels.size(); ++k)
         part.photo(r, c, k) = shrunk_pixel(photo, window.top + r * by, window.left + c * by, k, by);
   part.luminance = part.clipped = luminance_of(part.photo);
-  const auto clipped = clipped_in(part.photo, nearly_clipped);
+  const auto clipped = clipped_in(part.photo, std::min(nearly_clipped, saturated));
   const float most = *std::ranges::max_element(part.luminance.values());
   for (std::size_t i = 0; i < clipped.values().size(); ++i)
     if (clipped.values()[i] > 0) part.clipped.values()[i] = most;
+  if (saturated < nearly_clipped) part.luminance = part.clipped;
   const auto within = [&](double at, std::size_t from) {
     return (at - static_cast<double>(from)) / part.shrunk;
   };

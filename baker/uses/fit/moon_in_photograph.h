@@ -19,9 +19,10 @@ struct MoonPart {
   texture::Image photo;
   algebra::Grid<float> luminance = {};  ///< of `photo`
   algebra::Grid<float> clipped =
-      {};                  ///< luminance, set to its greatest value where any channel is clipped
-  colour::Disc disc = {};  ///< in `photo`
-  double shrunk = 1;       ///< factor by which `photo` was shrunk
+      {};                   ///< luminance, set to its greatest value where any channel is clipped
+  colour::Disc disc = {};   ///< in `photo`
+  double shrunk = 1;        ///< factor by which `photo` was shrunk
+  float saturated = 0.97F;  ///< light from which on a channel no longer follows the scene's
   std::array<double, 3> steps =
       {};  ///< quantisation steps near black, in linear light; 0 if they are fine
 };
@@ -30,7 +31,7 @@ struct MoonPart {
 ///
 /// Given   photo  linear light, as its coding gives it; values of 1 are saturated
 /// Throws  Error  when no disc is found even at half or a quarter of the size; as colour::limb_of
-MoonPart moon_part(const texture::Image& photo);
+MoonPart moon_part(const texture::Image& photo, float saturated = 0.97F);
 
 /// Extends the reason why a photograph cannot be registered. If half or more of the Moon is clipped or dark, the
 /// message states these shares and what is needed.

@@ -59,6 +59,10 @@ PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& 
 
 }  // namespace
 
+/// Light above which renders for a display, and most developed pictures, compress highlights; and where linear light is
+/// clipped.
+constexpr float shoulder = 0.75F, linear = 0.97F;
+
 Reading reading_of(const FitRequest& request, const EclipsePhotograph& photograph) {
   Reading reading;
   try {
@@ -68,7 +72,10 @@ Reading reading_of(const FitRequest& request, const EclipsePhotograph& photograp
     reading.clipped_at = clipped_at(photograph.file, photo);
     if (reading.clipped_at)
       for (float& value : photo.values) value /= static_cast<float>(reading.clipped_at->light);
-    reading.moon = moon_part(photo);
+    reading.moon =
+        moon_part(photo, reading.curved ? static_cast<float>(colour::most_displayed)
+                         : is_display_coded(photograph.file, photograph.coding) ? shoulder
+                                                                                : linear);
     const auto as_shot = reading.curved ? as_shot_balance(photograph.file) : std::nullopt;
     if (reading.curved) reading.colours = camera_colours(request.moon.response, as_shot);
     reading.errors = errors_of(request, photograph, reading, as_shot.has_value());

@@ -266,6 +266,12 @@ texture::Coding coding_of(const std::string& photo, texture::Coding told) {
   return by_camera && !developer_of(photo) ? texture::Coding::camera : told;
 }
 
+bool is_display_coded(const std::string& photo, texture::Coding told) {
+  return coding_of(photo, told) == texture::Coding::srgb ||
+         (coding_of(photo, told) == texture::Coding::as_file_says && !texture::is_raw_file(photo) &&
+          texture::read_attribute(photo, "oiio:ColorSpace").value_or("") == "sRGB");
+}
+
 std::optional<colour::Exposure> exif_of(const std::string& photo) {
   const auto [time_s, f_number, iso, gain] = settings_of(photo);
   if (!time_s || !f_number || !iso) return std::nullopt;

@@ -63,6 +63,9 @@ std::optional<std::string> developer_of(const std::string& photo);
 /// developer_of names a program.
 texture::Coding coding_of(const std::string& photo, texture::Coding told);
 
+/// Whether a photograph's numbers are coded as sRGB, and not by its camera's own tone curve.
+bool is_display_coded(const std::string& photo, texture::Coding told);
+
 /// Exposure settings in a photograph's header; nothing if one is missing.
 std::optional<colour::Exposure> exif_of(const std::string& photo);
 
