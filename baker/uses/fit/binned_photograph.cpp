@@ -14,6 +14,9 @@
 namespace coppermoon::uses {
 namespace {
 
+/// Standard deviation of rounding, in steps.
+constexpr double of_a_step = 0.3;
+
 using Channel = algebra::Grid<float>;
 
 Channel plane_of(const colour::Image& image, std::size_t k) {
@@ -27,12 +30,16 @@ Channel plane_of(const colour::Image& image, std::size_t k) {
 /// sky's light is taken as 0, with the measured light as its error. If the sky is too dark for the tone curve to be
 /// known, the glow keeps its prior.
 SkyAndGlow light_beside(const AroundTheDisc& light, const AroundTheDisc& black,
-                        const AroundTheDisc& glow, const Uncertain& prior, bool linear) {
+                        const AroundTheDisc& glow, Uncertain prior, bool linear, double step) {
   constexpr double much = 0.05, of_glow = 0.25, fixed = 1e-9;
-  auto found = sky_and_glow(light, glow, linear ? prior : Uncertain{prior.value, fixed});
-  if (!linear) found.glow = prior;
   const double black_share =
       std::reduce(black.begin(), black.end()) / static_cast<double>(black.size());
+  if (black_share > much) {
+    const double most = step / std::max(1e-300, std::ranges::max(glow));
+    if (most > 0 && most < prior.value) prior = {most / 2, most / 2};
+  }
+  auto found = sky_and_glow(light, glow, linear ? prior : Uncertain{prior.value, fixed});
+  if (!linear) found.glow = prior;
   if (black_share > much) found = {{0, std::max(median_of(light), found.sky.error)}, prior};
   found.glow.error = std::hypot(found.glow.error, of_glow * found.glow.value);
   return found;
@@ -63,8 +70,7 @@ struct SumOfBin {
   /// error within a block. With a camera's own tone curve, all pixels share one error, because the curve is not known
   /// to within a step near black.
   double error_of_steps(double step, bool curved) const {
-    constexpr double of_a_step = 0.3, two_pi_squared = 2 * std::numbers::pi * std::numbers::pi,
-                     block = 256;
+    constexpr double two_pi_squared = 2 * std::numbers::pi * std::numbers::pi, block = 256;
     if (step <= 0) return 0;
     const double of_pixel = of_a_step * step / mean() * ratio();
     if (curved) return of_pixel;
@@ -196,9 +202,10 @@ BinnedPhotograph binned(const FitScene& scene, const MoonPart& moon,
     const auto around = around_the_disc(there.light);
     Off off{median_of(around_the_disc(there.displayed)), median_of(around), 0};
     const auto usual = usual_glow(scene, k, sums_of(scene, there, clipped, off, false));
-    const auto [sky, of_glow] =
+    auto [sky, of_glow] =
         light_beside(around, around_the_disc(there.black), around_the_disc(there.glow), usual,
-                     !curve || off.displayed >= colour::least_displayed);
+                     !curve || off.displayed >= colour::least_displayed, step);
+    if (!curve) sky.error = std::hypot(sky.error, of_a_step * step);
     off.sky = sky.value;
     if (off.sky == 0) off.displayed = 0;
     off.glow = of_glow.value;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace coppermoon::uses {
 namespace {
@@ -113,7 +114,7 @@ std::vector<Placed> placed(const Stage& stage, std::span<const Reading> readings
 
 std::vector<Placed> placed_again(const Stage& stage, std::span<const Reading> readings,
                                  std::vector<Placed> all) {
-  constexpr double less_alike = 0.1;
+  constexpr double less_alike = 0.1, most_degrees = 5;
   for (const auto i : order_of(all)) {
     all[i].in_its_air = true;
     auto scene =
@@ -122,7 +123,10 @@ std::vector<Placed> placed_again(const Stage& stage, std::span<const Reading> re
       const auto again =
           registration_of(scene, readings[i].moon,
                           agreed_px_per_rad(readings, all, i) / px_per_scale(readings[i], scene));
-      if (again.correlation < all[i].registration.correlation - less_alike) continue;  // now worse
+      const auto& before = all[i].registration;
+      if (again.correlation < before.correlation - less_alike ||
+          !are_turned_alike(again.render_to_photo, before.render_to_photo, most_degrees))
+        continue;  // now worse, or turned to the shadow of a wrong air
       all[i].registration = again;
       scene.glow = glow_of(scene);
       all[i].scene = std::make_shared<const FitScene>(std::move(scene));
@@ -163,10 +167,10 @@ std::vector<Binned> binned(std::span<const Reading> readings, std::span<const Pl
   return all;
 }
 
-bool are_turned_alike(const colour::Similarity& one, const colour::Similarity& other) {
-  const double least_cosine = std::sqrt(0.75);
-  return one.mirrored == other.mirrored &&
-         std::cos(one.rotation_rad - other.rotation_rad) > least_cosine;
+bool are_turned_alike(const colour::Similarity& one, const colour::Similarity& other,
+                      double within_degrees) {
+  return one.mirrored == other.mirrored && std::cos(one.rotation_rad - other.rotation_rad) >
+                                               std::cos(within_degrees * std::numbers::pi / 180);
 }
 
 }  // namespace coppermoon::uses

@@ -54,7 +54,8 @@ void leave_out_far(std::span<const Reading> readings, std::span<Placed> placed);
 std::vector<Binned> binned(std::span<const Reading> readings, std::span<const Placed> placed,
                            const colour::ToneCurve& curve);
 
-/// Whether the rotations of two photographs differ by less than 30 degrees, and both or neither are mirrored.
-bool are_turned_alike(const colour::Similarity& one, const colour::Similarity& other);
+/// Whether two pictures are mirrored alike, and turned by angles that differ by less than 30 degrees or another limit.
+bool are_turned_alike(const colour::Similarity& one, const colour::Similarity& other,
+                      double within_degrees = 30);
 
 }  // namespace coppermoon::uses
