@@ -25,10 +25,14 @@ constexpr float nearly_clipped = 0.84F;
 /// Quantisation step near black of channel `k`, in linear light; 0 if the channel has more than 8 bits.
 double step_of(const texture::Image& photo, std::size_t k) {
   constexpr std::size_t most = 256;
-  std::unordered_set<float> values;
+  std::unordered_set<float> values{photo(0, 0, k)};
+  float last = photo(0, 0, k);
   for (std::size_t r = 0; r < photo.height; ++r)
     for (std::size_t c = 0; c < photo.width; ++c)
-      if (values.insert(photo(r, c, k)); values.size() > most) return 0;
+      if (const float value = photo(r, c, k); value != last) {
+        values.insert(last = value);
+        if (values.size() > most) return 0;
+      }
   return 1 / 12.92 / 255;
 }
 
