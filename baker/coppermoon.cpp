@@ -24,7 +24,7 @@ namespace verbs = coppermoon::verbs;
 
 constexpr int could_not = 1, wrong_usage = 2;
 
-/// Prints an error message, wherever its text comes from.
+/// Prints an error message on stderr as one line.
 void say(std::string_view error) {
   std::fputs(fmt::format("coppermoon: {}\n", verbs::one_line(error)).c_str(), stderr);
 }
@@ -36,7 +36,7 @@ void say(std::string_view error) {
   std::_Exit(could_not);
 }
 
-/// Uses the time zones in a portable archive if the system has none.
+/// Uses the time zones that come with a portable archive of the program if the system has none.
 void find_time_zones() {
   std::error_code failed;
   if (std::filesystem::exists("/usr/share/zoneinfo", failed)) return;
@@ -72,7 +72,7 @@ int main(int count, char** words) {
   files::keep_freed_memory();
   files::prepare_standard_streams();
   std::set_terminate(end_at_once);
-  // OpenImageIO loads OpenBLAS, whose threads nobody needs and which never end if memory is short
+  // OpenImageIO loads OpenBLAS, whose threads are not needed, and which hangs if memory is short
   files::set_missing_variable("OPENBLAS_NUM_THREADS", "1");
   find_time_zones();
   const int status = run(count, words);

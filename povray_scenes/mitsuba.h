@@ -8,25 +8,24 @@
 
 namespace coppermoon::povray_scenes {
 
-/// Names of the files for Mitsuba, which stand in one folder with the texture.
+/// Names of the files for Mitsuba, which are in the same folder as the texture.
 inline constexpr const char* mitsuba_file = "eclipse.xml";
 inline constexpr const char* mesh_file = "moon.obj";
 
-/// The text of the scene for Mitsuba 3, in Moon-fixed axes. The scene has emission only, so that a frame from an RGB
-/// variant, such as `mitsuba -m scalar_rgb -o frame.exr eclipse.xml`, has the texture's own values [cd/m²].
+/// The text of the scene for Mitsuba 3, as XML, in Moon-fixed axes. The Moon only emits light, so that a frame from an
+/// RGB variant, such as `mitsuba -m scalar_rgb -o frame.exr eclipse.xml`, has the texture's own values [cd/m²].
 ///
-/// Returned  XML
-/// Throws    Error  like to_pov
+/// Throws  Error  like to_pov
 std::string to_mitsuba(const MoonScene& scene);
 
-/// The Moon's mesh for that scene, as Wavefront OBJ with texture coordinates. It is flattened as the camera says, since
-/// Mitsuba's spheres are always round.
+/// The Moon as a mesh for Mitsuba, in Wavefront OBJ with texture coordinates. Mitsuba's own spheres are always round,
+/// but this mesh is flattened as much as the camera demands.
 ///
 /// Accuracy  round to within 7.5e-5 of the radius
 /// Throws    Error  like to_pov
 std::string mitsuba_mesh(const MoonScene& scene);
 
-/// Refuses a folder whose eclipse.xml or moon.obj is a link, or was changed since the program wrote it.
+/// Refuses a folder if its eclipse.xml or moon.obj is a link, or was changed since the program wrote it.
 ///
 /// Throws  Error
 void require_mitsuba_place(const std::filesystem::path& folder);

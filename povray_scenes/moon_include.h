@@ -11,20 +11,21 @@
 
 namespace coppermoon::povray_scenes {
 
-/// The file with the sky, beside moon.inc: a latitude–longitude image with north in the middle and east to its right.
+/// Name of the sky's image beside moon.inc. It is a latitude–longitude image with north in the middle and east to the
+/// right of it.
 inline constexpr const char* sky_file = "eclipse_sky.exr";
 
 /// The eclipsed Moon in an observer's sky, for a scene written by hand.
 struct MoonInSky {
-  std::string texture;  ///< file name of the .exr beside it
-  std::string title;    ///< moment and place, for the file's first line
+  std::string texture;  ///< file name of the .exr in the same folder
+  std::string title;    ///< moment and place, for the first line of the include file
   almanac::ObserverView view;
   algebra::Angle axis_position_angle;
   HorizonPlace place;                     ///< with refraction
-  algebra::Angle sun_altitude;            ///< airless
+  algebra::Angle sun_altitude;            ///< without refraction
   double sky_cd_m2 = 0;                   ///< luminance of the clear sky at the zenith
   std::array<double, 3> illuminance_lux;  ///< linear Rec.709, on a surface that faces the Moon
-  bool up = true;  ///< if false, hidden unless enlarged until some of it is above the horizon
+  bool up = true;  ///< false if the whole disc is below the horizon, where only enlarging shows it
 };
 
 /// A star or planet in an observer's sky.
@@ -38,14 +39,14 @@ struct StarInSky {
 ///
 /// Given   title  as in MoonInSky
 ///         stars  one or more
-/// Throws  Error  if the title cannot stand in POV-Ray's text
+/// Throws  Error  if the title has characters that POV-Ray's text cannot hold
 std::string star_include(const std::string& title, std::span<const StarInSky> stars);
 
-/// The text of an include file for POV-Ray with the Moon as an object in the sky, Eclipsed_Moon(Enlarged, Distance),
-/// its light, Eclipsed_Moonlight(Factor), and the sky, Eclipsed_Sky(Factor), with named constants for their numbers. It
+/// The text of an include file for POV-Ray. It has macros for the Moon, Eclipsed_Moon(Enlarged, Distance), for its
+/// light, Eclipsed_Moonlight(Factor), and for the sky, Eclipsed_Sky(Factor), and named constants with the numbers. It
 /// includes coppermoon.inc.
 ///
-/// Throws  Error  if the texture's name or the title cannot stand in POV-Ray's text
+/// Throws  Error  if the texture's name or the title has characters that POV-Ray's text cannot hold
 std::string moon_include(const MoonInSky& moon);
 
 /// The text of coppermoon.inc.

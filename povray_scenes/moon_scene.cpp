@@ -35,7 +35,7 @@ void require_texture_name(const std::string& name) {
 std::string pov_numbers(const glm::dvec3& v) { return fmt::format("{}, {}, {}", v.x, v.z, v.y); }
 std::string left_handed(const glm::dvec3& v) { return fmt::format("<{}>", pov_numbers(v)); }
 
-/// The flattening as POV-Ray's matrix. Since it is symmetric, rows and columns are the same.
+/// The matrix that flattens the Moon, as text for POV-Ray. It is symmetric, so its rows and columns are the same.
 std::string squash(const SceneCamera& camera) {
   if (camera.flattening == 1) return {};
   const auto m = flattened_by_air(camera);
@@ -43,7 +43,7 @@ std::string squash(const SceneCamera& camera) {
                      m[2].y, m[1].x, m[1].z, m[1].y);
 }
 
-/// POV-Ray's spheres for all lights.
+/// The text of POV-Ray's spheres for all stars and planets.
 std::string spheres_text(const MoonScene& scene) {
   std::string text;
   for (const auto& [centre, radius, luminance] : light_spheres(scene))
@@ -54,8 +54,8 @@ std::string spheres_text(const MoonScene& scene) {
   return text;
 }
 
-/// The pane that carries the air's light. It extends half a step beyond the frame, since texels are interpolated
-/// between their centres.
+/// The text of a pane before the camera that shows the air's light. It extends half a step beyond the frame, since
+/// POV-Ray interpolates between the texels' centres.
 std::string pane_text(const MoonScene& scene) {
   if (!scene.air) return {};
   const auto& [image, columns, rows, step] = *scene.air;
@@ -88,9 +88,9 @@ glm::dvec3 middle(const SceneCamera& camera) {
 }
 
 std::vector<LightSphere> light_spheres(const MoonScene& scene) {
-  constexpr double pi = std::numbers::pi, most_luminance = 3e4;  // a half float ends at 65504
+  constexpr double pi = std::numbers::pi, most_luminance = 3e4;  // half floats end at 65504
   const auto& camera = scene.camera;
-  // as close behind the Moon as possible: beyond 1e6 POV-Ray no longer bounds objects
+  // as close behind the Moon as possible, because POV-Ray does not bound objects beyond 1e6
   const double away = 2 * glm::length(camera.position);
   const double pixel =
       2 * std::tan(in_radians(camera.horizontal_field) / 2) / static_cast<double>(camera.width);

@@ -19,13 +19,13 @@ inline constexpr const char* frame_file = "frame.exr";
 
 /// A star or planet in front of a camera.
 struct SkyLight {
-  glm::dvec3 direction;                   ///< unit, Moon-fixed axes
+  glm::dvec3 direction;                   ///< unit vector in Moon-fixed axes
   std::array<double, 3> illuminance_lux;  ///< linear Rec.709, on a surface that faces it
-  double radius_rad = 0;                  ///< radius of a planet's disc
+  double radius_rad = 0;                  ///< of a planet's disc; 0 for a star
 };
 
-/// Air that shines in front of the Moon and the stars, as an .exr in the scene's folder. Its texel in column c and row
-/// r shows the air in front of the frame's pixel (c step, r step), with linear interpolation between texels.
+/// The light of the air in front of the Moon and the stars, as an .exr in the scene's folder. The texel in column c and
+/// row r is for the frame's pixel (c step, r step); between texels, light is interpolated linearly.
 struct AirBefore {
   std::string image;
   std::size_t columns = 2, rows = 2, step = 1;
@@ -36,8 +36,8 @@ struct AirBefore {
 struct MoonScene {
   SceneCamera camera;
   std::string texture;  ///< an .exr in the scene's folder: a plain ASCII file name
-  /// Lights behind the Moon: emitting spheres with the radius of a pixel, or of the planet if larger. If two are
-  /// closer than that, one hides the other.
+  /// Stars and planets behind the Moon. Each is an emitting sphere with the radius of a pixel, or of the planet if that
+  /// is larger. If two are closer together than that, one hides the other.
   std::vector<SkyLight> lights = {};
   std::optional<AirBefore> air = {};  ///< for POV-Ray only
   bool alpha = false;  ///< adds a channel A: the share of each pixel that the Moon covers
@@ -46,16 +46,16 @@ struct MoonScene {
 /// The text of the scene for POV-Ray, without include files.
 ///
 /// The Moon-fixed X, Y, Z are POV-Ray's x, z, y, since its axes are left-handed.
-/// The camera's flattening compresses the textured sphere in the frame; the texture is left alone.
+/// The camera's flattening is applied to the sphere; the texture itself is left alone.
 /// The air is a pane near the camera that absorbs 0.1 % of the light behind it.
 /// Accuracy  POV-Ray reads the texture and writes the frame as half floats: 5e-4 relative above
-///           6.1e-5, 3e-8 below; infinite above 65504
+///           6.1e-5, 3e-8 absolute below that; values above 65504 are infinite
 /// Throws    Error  if the camera is not sound, or the texture's name is not plain ASCII that ends in .exr
 std::string to_pov(const MoonScene& scene);
 
-/// The text of POV-Ray's settings: size, file names and anti-aliasing. The anti-aliasing works in the dark too: its
-/// threshold is 0, since POV-Ray compares absolute values, and its gamma is 1, which saves useless powers. Without
-/// jitter it repeats exactly. There is no range of frames, since POV-Ray's clock is NaN in a range of one frame.
+/// The text of POV-Ray's settings: size, file names and anti-aliasing. The anti-aliasing's threshold is 0, because
+/// POV-Ray compares absolute values, which are small in the dark. Its gamma is 1, which saves time. There is no jitter,
+/// so that frames repeat exactly. There is no range of frames either, because POV-Ray's clock is NaN in a range of one.
 ///
 /// Throws  Error  like to_pov
 std::string to_ini(const MoonScene& scene);
@@ -66,8 +66,8 @@ std::string to_ini(const MoonScene& scene);
 /// Throws  Error
 void require_scene_place(const std::filesystem::path& folder);
 
-/// Writes eclipse.pov and eclipse.ini, each whole or not at all; with the texture put beside them, `povray eclipse.ini`
-/// in that folder makes frame.exr. The last line of each is a fingerprint that reveals later changes.
+/// Writes eclipse.pov and eclipse.ini, each whole or not at all. Once the texture is beside them, `povray eclipse.ini`
+/// in that folder renders frame.exr. The last line of each is a fingerprint that reveals later changes.
 ///
 /// Given   folder  created if only its last part is missing
 /// Throws  Error   like to_pov, before anything is written; or if the folder or a file cannot be made

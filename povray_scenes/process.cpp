@@ -44,7 +44,7 @@ struct Conversation {
     }
     line.clear();
   }
-  /// Collects the lines from the first error on. POV-Ray folds long lines before a space.
+  /// Collects POV-Ray's messages from the first error on. A line that begins with a space continues the one before.
   void heed() {
     const bool begun = !complaint.empty();
     if (!begun && line.find("rror") == std::string::npos) return;
@@ -54,7 +54,7 @@ struct Conversation {
   const std::string& last_words() const { return complaint.empty() ? last_line : complaint; }
 };
 
-/// POV-Ray's arguments for a window. Edges at 0 are left out, since it reads numbers up to 1 as shares of the picture.
+/// POV-Ray's arguments for a window. Edges at 0 are left out, since POV-Ray reads numbers up to 1 as fractions.
 std::vector<std::string> words_for(const RenderWindow& window) {
   algebra::require_within("width of the window [pixels]",
                           static_cast<double>(window.right) - static_cast<double>(window.left), 2,
@@ -112,7 +112,7 @@ void run_povray(const RenderSettings& settings, const Draft& draft, const Run& r
   algebra::require_within("threads", settings.threads, 0, 512);
   algebra::require_within("timeout [s]", settings.timeout_s, 0, 1e7);
   std::vector<std::string> environment;
-  if (!run.with_users_settings)  // our settings replace the user's
+  if (!run.with_users_settings)  // read only our own settings, not the user's
     environment.push_back(std::string("POVINI=") + settings_file);
   Conversation heard{run};
   const bool well = files::run_heard({command(settings, run), "povray", draft.folder, environment},

@@ -35,9 +35,9 @@ void render_for(const std::function<void(const std::filesystem::path& exr)>& rea
 std::filesystem::path render_own(const std::filesystem::path& folder, const OwnScene& scene,
                                  const RenderSettings& settings) {
   const auto file = std::filesystem::absolute(scene.file);
-  std::filesystem::create_symlink(file, folder / "scene.pov");  // POV-Ray reads plain names only
+  std::filesystem::create_symlink(file, folder / "scene.pov");  // POV-Ray takes plain names only
   std::filesystem::create_directory_symlink(file.parent_path(), folder / "scene_folder");
-  const auto last = std::max(scene.last, scene.first + 1);  // a range of one frame has no clock
+  const auto last = std::max(scene.last, scene.first + 1);  // one frame alone has no clock
   MoonScene picture{.camera = {}, .texture = {}};
   picture.camera.width = scene.width;
   picture.camera.height = scene.height;

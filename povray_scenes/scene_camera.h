@@ -16,7 +16,7 @@ namespace coppermoon::povray_scenes {
 /// Which direction is up in the picture.
 enum class Up {
   celestial_north,  ///< as on a chart: north up, east to the left
-  zenith,           ///< as an observer standing there sees it
+  zenith,           ///< as an observer who stands upright sees it
   moon_north        ///< with the Moon's own north pole up
 };
 
@@ -26,10 +26,10 @@ struct SceneCamera {
   glm::dvec3 up;                    ///< Moon-fixed, any length; not along the line of sight
   algebra::Angle horizontal_field;  ///< angle across the picture
   std::size_t width, height;        ///< in pixels
-  double flattening = 1;            ///< by refraction: the disc's height / width
+  double flattening = 1;            ///< the disc's height divided by its width, by refraction
   glm::dvec3 zenith{0, 0, 0};       ///< Moon-fixed, any length: direction of flattening; 0 if none
-  glm::dvec3 direction{0, 0, 0};    ///< Moon-fixed, any length: to the picture's middle; if 0,
-                                    ///< to the Moon's centre
+  /// Direction to the middle of the picture, Moon-fixed, any length; 0 means towards the Moon's centre.
+  glm::dvec3 direction{0, 0, 0};
 };
 
 /// The field of a camera and the size of its picture.
@@ -38,24 +38,23 @@ struct Picture {
   std::size_t width, height;  ///< in pixels
 };
 
-/// An apparent place in an observer's sky, with refraction.
+/// A place in an observer's sky, as it appears with refraction.
 struct HorizonPlace {
-  algebra::Angle altitude, azimuth;  ///< above the horizon; from north through east
+  algebra::Angle altitude, azimuth;  ///< azimuth is counted from north through east
 };
 
-/// Field of view across a sensor.
+/// The field of view across the width of a sensor.
 ///
 ///     2 atan(w / 2f)
 ///
-/// Given   focal_length  f, above 0;  sensor_width  w, above 0
-/// Throws  Error  if either is not above 0
+/// Given   focal_length  f;  sensor_width  w
+/// Throws  Error  if the focal length or the width is not above 0
 algebra::Angle field_of_view(algebra::Length focal_length, algebra::Length sensor_width);
 
 /// A camera at a place on the Earth that points at the Moon. East is to the left if north is up.
 ///
-/// Given   sky, view  the moment, and that place's view of it
-/// Omits   refraction in the observer's air, which lifts the Moon and flattens it near the horizon: the caller sets
-///         `flattening`
+/// Given   sky, view  the sky at the moment of the picture, and the Moon as seen from the place
+/// Omits   refraction, which lifts the Moon and flattens it near the horizon; the caller sets `flattening`
 /// Throws  Error  if the camera would not be sound (see require_sound)
 SceneCamera camera_at(const almanac::SkyState& sky, const almanac::ObserverView& view, Up up,
                       const Picture& picture);
@@ -67,35 +66,35 @@ SceneCamera camera_at(const almanac::SkyState& sky, Up up, const Picture& pictur
 
 /// A camera on a tripod, with the zenith up: the Moon moves through its picture as it does through the sky.
 ///
-/// Given   sky, view  the moment, and that place's view of it
+/// Given   sky, view  the sky at the moment of the picture, and the Moon as seen from the place
 ///         aim        the apparent place in the middle of the picture; altitude -90 to 90 degrees, azimuth -360 to 360
-/// Returned  a camera at the observer's place. The aim and the zenith are turned down along the Moon's vertical by the
-///           Moon's refraction, so that the Moon appears at its apparent place
-/// Omits   the horizon (a Moon below it is shown all the same); flattening, as in camera_at
-/// Throws  Error  if the aim is out of range, or the camera would not be sound, as it would with the aim
-///                at the zenith (see require_sound)
+/// Returned  a camera at the observer's place. The aim and the zenith are turned downwards by the Moon's refraction, so
+///           that the Moon appears at its apparent place in the picture
+/// Omits   the horizon, so that a Moon below it is shown all the same; flattening, as in camera_at
+/// Throws  Error  if the aim is out of range, or the camera would not be sound (see require_sound), for instance
+///                because the aim is the zenith
 SceneCamera camera_fixed(const almanac::SkyState& sky, const almanac::ObserverView& view,
                          const HorizonPlace& aim, const Picture& picture);
 
 /// The unit vector from the camera towards the middle of the picture, Moon-fixed.
 ///
-/// Given  camera  sound
+/// Given  camera  must be sound (require_sound)
 glm::dvec3 line_of_sight(const SceneCamera& camera);
 
-/// Maps the round Moon to one flattened by refraction, a compression towards a plane through the centre.
+/// The matrix that flattens the round Moon as refraction does. It compresses it towards a plane through its centre.
 ///
 ///     I + (k − 1) v vᵀ        k: the flattening;  v: towards the zenith, across the line from the
 ///                             camera to the Moon's centre
 ///
-/// Returned  in Moon-fixed axes; nothing moves along that line. It is the identity if the zenith is along it, or 0
+/// Returned  in Moon-fixed axes; the identity if the camera's zenith is 0 or in line with the Moon's centre
 /// Throws    Error  if the camera is not sound
 glm::dmat3 flattened_by_air(const SceneCamera& camera);
 
 /// The pixel that shows a place on the Moon (a sphere flattened by refraction).
 ///
 /// Given     place     at any longitude, even beyond 360 degrees
-/// Returned  x to the right, y down, in pixels from the upper left corner: the first pixel's centre is (0.5, 0.5). The
-///           place may be outside the frame. Nothing for a place behind the limb or behind the camera
+/// Returned  x to the right and y down, in pixels from the upper left corner; the first pixel's centre is (0.5, 0.5).
+///           The pixel may be outside the frame. Empty if the place is behind the Moon's limb or behind the camera
 /// Accuracy  0.25 pixel, compared with POV-Ray's own frames with fields of 0.02 to 120 degrees
 /// Throws    Error  if the camera is not sound
 std::optional<glm::dvec2> pixel_of(const SceneCamera& camera,
@@ -108,19 +107,21 @@ std::optional<glm::dvec2> pixel_of(const SceneCamera& camera,
 ///                long, and `up` is off the line of sight by at least 1e-6 radians. The Moon need not be in the picture
 void require_sound(const SceneCamera& camera);
 
-/// The lines of sight from a camera, corner + x across + y down: Moon-fixed, in lunar radii.
+/// The lines of sight from a camera. For pixel (x, y) it is corner + x across + y down, Moon-fixed, in lunar radii.
 struct Sight {
   glm::dvec3 position, corner, across, down;
   glm::dmat3 round_from_flattened;  ///< inverse of flattened_by_air
 };
 
+/// The lines of sight through all pixels of a camera.
+///
 /// Throws  Error  if the camera is not sound
 Sight sight_of(const SceneCamera& camera);
 
 /// The place on the Moon that a pixel shows: the inverse of pixel_of.
 ///
-/// Given     pixel  from the upper left corner, y down, the first pixel's centre at (0.5, 0.5)
-/// Returned  unit vector, Moon-fixed; nothing if the pixel does not show the Moon
+/// Given     pixel  counted from the upper left corner, y down; the first pixel's centre is (0.5, 0.5)
+/// Returned  unit vector, Moon-fixed; empty if the pixel does not show the Moon
 std::optional<glm::dvec3> ground_at(const Sight& sight, const glm::dvec2& pixel);
 
 }  // namespace coppermoon::povray_scenes

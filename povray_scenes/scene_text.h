@@ -11,7 +11,7 @@
 
 namespace coppermoon::povray_scenes {
 
-/// Place and direction of a frame's camera, as text for POV-Ray.
+/// A frame's camera as text for POV-Ray.
 struct CameraText {
   std::string location, sky, look_at;  ///< vectors
   std::string squash;                  ///< nine numbers of a matrix; empty if the disc is round
@@ -31,11 +31,11 @@ std::vector<LightSphere> light_spheres(const MoonScene& scene);
 
 /// The parts of eclipse.pov that differ between a single scene and a sequence.
 struct PovText {
-  std::string declarations;            ///< before the camera: whole lines
-  std::string location, sky, look_at;  ///< POV-Ray expressions of the camera's vectors
-  std::string texture;                 ///< POV-Ray expression of the texture's file name
-  std::string flattened;               ///< whole lines inside the sphere: its flattening
-  std::string lights = {};             ///< whole lines at the end
+  std::string declarations;            ///< whole lines that come before the camera
+  std::string location, sky, look_at;  ///< POV-Ray expressions for the camera's vectors
+  std::string texture;                 ///< POV-Ray expression for the texture's file name
+  std::string flattened;               ///< whole lines inside the sphere, which flatten it
+  std::string lights = {};             ///< whole lines for stars and planets, at the end
 };
 
 /// The text of eclipse.pov.
@@ -48,15 +48,15 @@ std::string pov_text(const MoonScene& scene, const PovText& text);
 std::string ini_text(const MoonScene& scene, const std::string& output,
                      const std::string& animation);
 
-/// Throws  Error  like to_pov for a single scene
+/// Refuses a scene for which to_pov would throw, with the same errors.
 void require_renderable(const MoonScene& scene);
 
-/// Creates a folder if only the last part of its path is missing.
+/// Creates a folder unless it exists. All but the last part of its path must exist already.
 ///
 /// Throws  Error
 void require_folder(const std::filesystem::path& folder);
 
-/// Writes both files into a folder, which is created if only its last part is missing.
+/// Writes eclipse.pov and eclipse.ini into a folder, which is created if only the last part of its path is missing.
 void write_texts(const std::filesystem::path& folder, const std::string& pov,
                  const std::string& ini);
 

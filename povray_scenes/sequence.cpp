@@ -61,7 +61,7 @@ void require_renderable(const Sequence& sequence) {
     require_frame(sequence, frame);
 }
 
-/// Declares an array in POV-Ray's language, with one line for each frame.
+/// The text of an array in POV-Ray's language, with one element for each frame.
 template <class ElementOf>
 std::string array(std::string_view name, const std::vector<CameraText>& frames, ElementOf element) {
   std::string text = fmt::format("#declare {} {{\n", name);
@@ -99,7 +99,7 @@ constexpr const char* squashed_sphere = R"(  #if (Flattened[Frame])
   #end
 )";
 
-/// The number of the first or last frame, read from the sequence in a folder.
+/// The number of the first or last frame, read from the eclipse.ini in a sequence's folder.
 std::size_t frame_in_settings(const std::filesystem::path& folder, std::string_view key) {
   std::ifstream settings(folder / settings_file);
   for (std::string line; std::getline(settings, line);)
@@ -111,7 +111,7 @@ std::size_t frame_in_settings(const std::filesystem::path& folder, std::string_v
   throw Error(fmt::format("{}: no sequence of frames", (folder / settings_file).string()));
 }
 
-/// Hands over the frames of a run as they are finished.
+/// Passes the frames of a run to a callback as they are finished.
 struct Delivery {
   const Draft& draft;
   const FrameDone& frame_done;

@@ -7,16 +7,16 @@
 
 namespace coppermoon::almanac {
 
-/// Converts a Gregorian date to a calendar: "1504-03-11" is "1504-03-01" in the Julian calendar.
+/// Converts a Gregorian date to the given calendar: "1504-03-11" is "1504-03-01" in the Julian calendar.
 ///
-/// Given   date  "2018-07-27", "-0584-05-22"
-/// Source  Meeus (1998), Astronomical Algorithms, chapter 7: the Julian date of a Julian day
+/// Given   date  such as "2018-07-27" or "-0584-05-22"
+/// Source  Meeus (1998), Astronomical Algorithms, chapter 7: from Julian days to calendar dates
 std::string date_in(Calendar calendar, const std::string& date);
 
-/// The text that utc_text gives, but with the date in the given calendar. ISO 8601 itself is Gregorian.
+/// A moment in UTC as in ISO 8601, but with the date in the given calendar: ISO 8601 itself is always Gregorian.
 std::string utc_text(const Instant& instant, Calendar calendar, int decimals = 0);
 
-/// The date and the time of day that utc_text gives, to the second: "2018-07-27" and "20:21:45".
+/// The date of a moment in UTC, such as "2018-07-27", and its time of day to the second, such as "20:21:45".
 std::string date_text(const Instant& instant, Calendar calendar = Calendar::gregorian);
 std::string time_of_day_text(const Instant& instant);
 

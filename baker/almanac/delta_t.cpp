@@ -13,7 +13,7 @@ namespace {
 constexpr double first_leap_second_day = 2441317.5;  // 1972-01-01
 constexpr double seconds_per_day = 86400;
 
-/// One of Espenak & Meeus's polynomials, in (year − origin) / unit, which holds before `end_year`.
+/// One of Espenak & Meeus's polynomials in (year − origin) / unit, valid until `end_year`.
 struct Piece {
   double end_year, origin, unit;
   double coefficients[8];
@@ -46,8 +46,8 @@ double polynomial(std::span<const double> coefficients, double x) {
   return sum;
 }
 
-/// ΔT from the polynomials of Espenak & Meeus (2006). The last term changes the assumed secular acceleration of the
-/// Moon from −26″/cy² to −25.858″/cy².
+/// ΔT from the polynomials of Espenak & Meeus (2006). A further term changes the Moon's assumed secular acceleration
+/// from −26″/cy² to −25.858″/cy².
 double espenak_meeus_2006_s(double year) {
   const Piece* piece = pieces;
   while (year >= piece->end_year) ++piece;
@@ -103,7 +103,7 @@ double delta_t_s(const Instant& instant) {
   if (delta_t_is_predicted(instant)) return predicted_s(tt);
   const double first_tt = first_leap_second_day + 42.184 / seconds_per_day;
   if (tt >= first_tt) return tabulated_s(instant);
-  double delta = 0;  // the polynomials take UT: iterate until TT − ΔT is UT to 0.01 s
+  double delta = 0;  // the polynomials need UT: iterate until it is known to 0.01 s
   for (int round = 0; round < 3; ++round)
     delta = espenak_meeus_2006_s(julian_year(tt - delta / seconds_per_day));
   return delta;

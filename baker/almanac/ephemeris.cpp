@@ -24,7 +24,7 @@ glm::dvec3 geometric_moon98_m(const Instant& instant) {
   return vec(pv[0]) * astronomical_unit_m;
 }
 
-/// Shift of the series' time argument [days] that makes its mean longitude agree with DE405.
+/// Time [days] to add to an instant so that the Moon's mean longitude in ELP 2000-82B agrees with DE405.
 double elp_time_shift_days(const Instant& instant) {
   constexpr double mean_motion_arcsec_per_century = 1732559343.736;
   const double t = ((instant.tt_day - ERFA_DJ00) + instant.tt_fraction) / ERFA_DJC;
@@ -32,8 +32,8 @@ double elp_time_shift_days(const Instant& instant) {
   return arcsec / mean_motion_arcsec_per_century * ERFA_DJC;
 }
 
-/// Geometric position of the Moon from ELP 2000-82B. libnova takes TDB, and returns kilometres in the inertial mean
-/// ecliptic and dynamical equinox of J2000.
+/// Geometric position of the Moon from ELP 2000-82B. libnova expects TDB, and returns kilometres relative to the
+/// inertial mean ecliptic and dynamical equinox of J2000.
 glm::dvec3 geometric_elp_m(const Instant& instant) {
   ln_rect_posn km{};
   {

@@ -23,7 +23,7 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-/// The rows of a table without its heading. Each row gets the plain form of its name as an extra last cell.
+/// The rows of a table without its heading. The plain form of each row's name is added as a last cell.
 Rows rows_of(std::string_view text, std::size_t name_column = 0) {
   auto rows = algebra::parse_text_table(text);
   rows.erase(rows.begin());
@@ -63,7 +63,7 @@ std::filesystem::path own_cities_file() {
   return home.empty() ? home : home / ".config" / "coppermoon" / "cities.csv";
 }
 
-/// The rows of the user's own file, once checked. The heading is optional.
+/// Reads and checks the rows of the user's own file of cities. The file may have a heading or not.
 Rows own_rows() {
   const auto path = own_cities_file();
   std::ostringstream text;
@@ -122,11 +122,11 @@ bool is_name(const std::string& known, std::string_view name) {
 
 /// A region, state or country.
 struct Area {
-  std::vector<std::string> regions;  ///< plain names that a city's region may have
-  std::string time_zones = " ";      ///< zones a city may have, with spaces around them
+  std::vector<std::string> regions;  ///< plain names of the regions in this area
+  std::string time_zones = " ";      ///< zones in this area, each with spaces around it
 };
 
-/// The area with a given name: a region, or whatever areas.csv lists under the name. Dots are ignored, as in "D.C.".
+/// The area with a given name, which is a region's name or one that areas.csv lists. Dots, as in "D.C.", are ignored.
 Area area_named(std::string_view name) {
   static const Rows rows = rows_of(tables::areas());
   const auto plain = plain_name(name);
@@ -141,7 +141,7 @@ Area area_named(std::string_view name) {
   return area;
 }
 
-/// Reads the areas from the text after a city's name: one, or several separated by commas, as in "Illinois, USA".
+/// Reads the areas named after a city: one, or several separated by commas, as in "Illinois, USA".
 std::vector<Area> areas_in(std::string_view text) {
   std::vector<Area> areas;
   std::istringstream parts{std::string(text)};
@@ -159,7 +159,7 @@ bool is_in(const std::vector<Area>& areas, const std::vector<std::string>& city)
 
 /// The rows with a given name; if there are none, the rows whose names contain it as whole words.
 ///
-/// Given  areas  which a city must be in
+/// Given  areas  a city must be in all of these
 Rows rows_named(const Rows& rows, std::string_view name, const std::vector<Area>& areas = {}) {
   const auto wanted = plain_name(name), spelt = plain_name(without_umlauts(name)),
              whole_words = " " + wanted + " ";
@@ -174,7 +174,7 @@ Rows rows_named(const Rows& rows, std::string_view name, const std::vector<Area>
   return all.empty() ? parts : all;
 }
 
-/// A city's name in the gazetteer, given this name or an alternative one.
+/// The name that the gazetteer uses for a city, such as "Vienna" for "Wien".
 std::string known_name(std::string_view name) {
   static const Rows others = rows_of(tables::city_other_names(), 1);
   const auto plain = plain_name(name);
@@ -183,7 +183,7 @@ std::string known_name(std::string_view name) {
   return std::string(name);
 }
 
-/// Splits a text into a city's name and the areas after a slash or comma, which are empty if the text names none.
+/// Splits a text at its first slash or comma into a city's name and its areas. The areas are empty if there is neither.
 std::pair<std::string_view, std::string_view> name_and_region(std::string_view text) {
   const auto end = text.find_first_of("/,");
   if (end == std::string_view::npos) return {algebra::without_spaces(text), {}};
@@ -193,7 +193,7 @@ std::pair<std::string_view, std::string_view> name_and_region(std::string_view t
 
 std::string as_written(const City& city) { return city.name + "/" + city.region; }
 
-/// The first few of the words, separated by commas.
+/// The first five words at most, separated by commas, and the number of words left out.
 std::string listed(std::vector<std::string> words) {
   constexpr std::size_t most = 5;
   const auto left = words.size() > most ? words.size() - most : 0;
@@ -257,7 +257,7 @@ std::optional<City> city_named(std::string_view name) {
   return all.empty() ? std::nullopt : std::optional(all.front());
 }
 
-/// Rank of a city by population; the largest has 1.
+/// Rank of a city by population; the largest city has rank 1.
 static std::ptrdiff_t rank_of(const City& city) {
   const auto found = std::ranges::find_if(
       cities(), [&](const auto& row) { return row[0] == city.name && row[1] == city.region; });
@@ -265,7 +265,7 @@ static std::ptrdiff_t rank_of(const City& city) {
 }
 
 std::string city_taken(std::string_view name) {
-  constexpr int far_smaller = 10;  // ratio of ranks: population falls as 1 / rank
+  constexpr int far_smaller = 10;  // a ratio of ranks, as population falls roughly as 1 / rank
   auto all = cities_named(name);
   if (all.empty() || all.front().own) return {};
   const auto known = known_name(name_and_region(name).first);

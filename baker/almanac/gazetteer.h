@@ -14,9 +14,9 @@ namespace coppermoon::almanac {
 
 /// A city on the Earth.
 struct City {
-  std::string name, region;  ///< region: its state or province
+  std::string name, region;  ///< region: the state or province
   Observer place;
-  std::string time_zone;  ///< its IANA name, such as "America/Chicago"
+  std::string time_zone;  ///< IANA name, such as "America/Chicago"
   bool own = false;       ///< from the user's own file
 };
 
@@ -35,22 +35,22 @@ struct LunarFeature {
 /// Cities from the user's own file come before all others. That file is $XDG_CONFIG_HOME/coppermoon/cities.csv, or else
 /// ~/.config/coppermoon/cities.csv, with the same columns as data/cities.csv. It is read once.
 ///
-/// Given   name  "Chicago", or with a region or country (data/areas.csv) after a slash or comma:
+/// Given   name  such as "Chicago"; a region or country (data/areas.csv) may follow after a slash or comma:
 ///               "Springfield/Illinois", "Springfield, IL, USA", "Berlin, Germany"
 /// Throws  Error  if a line in the user's own file is not a city
-/// Source  GeoNames, CC BY 4.0 (data/cities.csv), places to 0.01°
+/// Source  GeoNames, CC BY 4.0 (data/cities.csv); positions are rounded to 0.01°
 std::vector<City> cities_named(std::string_view name);
 
 /// The first city that cities_named finds, if any.
 std::optional<City> city_named(std::string_view name);
 
-/// Remark on an ambiguous name, such as "Springfield is Springfield/Missouri; others are Springfield/Massachusetts,
-/// Springfield/Illinois". There is also a remark if the city's full name is longer. Empty if the name is
-/// unambiguous; far smaller cities do not count, so "London" is unambiguous.
+/// Tells the user which city an ambiguous name was taken for: "Springfield is Springfield/Missouri; others are
+/// Springfield/Massachusetts, Springfield/Illinois". There is also a message if the city's full name is longer. Empty
+/// if the name is unambiguous. Far smaller cities do not make a name ambiguous: "London" is the one in England.
 std::string city_taken(std::string_view name);
 
-/// Reason why a city is not found: "no such city; Springfield is known in Missouri, Massachusetts, Illinois" if only
-/// the region is wrong, otherwise "no such city".
+/// Reason why a city was not found. If only the region is wrong, it lists the known ones: "no such city; Springfield is
+/// known in Missouri, Massachusetts, Illinois". Otherwise it is "no such city".
 std::string no_such_city(std::string_view name);
 
 /// The city nearest to a place, including the user's own cities.
@@ -59,18 +59,18 @@ City nearest_city(const Observer& place);
 /// Distance between two places along the surface of a globe with a radius of 6371 km.
 algebra::Length distance_between(const Observer& a, const Observer& b);
 
-/// Finds a lunar feature by name, with the same rules as for cities: "Crisium" is Mare Crisium.
+/// Finds a lunar feature by name. The rules are those for cities: "Crisium" finds Mare Crisium.
 ///
-/// Source  Gazetteer of Planetary Nomenclature, IAU and USGS (data/lunar_features.csv), to 0.01°
+/// Source  Gazetteer of Planetary Nomenclature, IAU and USGS (data/lunar_features.csv), rounded to 0.01°
 std::optional<LunarFeature> lunar_feature_named(std::string_view name);
 
-/// The `count` most populous cities at most, largest first, without the user's own.
+/// The most populous cities, largest first; at most `count` of them. The user's own cities are left out.
 std::vector<City> largest_cities(std::size_t count);
 
-/// All features on the Moon, with their names.
+/// All lunar features in the gazetteer.
 std::vector<LunarFeature> lunar_features();
 
-/// Names of all cities, the user's own first, for suggesting similar ones.
+/// Names of all cities, the user's own first. They serve to suggest a similar name for a misspelt one.
 std::vector<std::string> city_names();
 std::vector<std::string> lunar_feature_names();
 

@@ -22,16 +22,17 @@ struct CivilTime {
   int minutes_east = 0;  ///< offset from UTC
 };
 
-/// Whether the time of day exists in some time zone; 24:00 is the midnight that ends a day.
+/// Whether a time of day is valid in some time zone. Second 60 may be a leap second; 24:00 is midnight, ending the day.
 bool is_time_of_day(const CivilTime& c) {
   const bool ends_day = c.hour == 24 && c.minute == 0 && c.second == 0;
   return (c.hour < 24 || ends_day) && c.minute < 60 && c.second < 61;
 }
 
-/// Reads date, time of day and offset from an ISO 8601 text of an allowed year; empty if it is anything else.
+/// Reads the date, time of day and offset from an ISO 8601 text; empty if the text is not valid or the year is not
+/// allowed.
 std::optional<CivilTime> civil_time(std::string_view text) {
   static const std::regex iso_8601(
-      R"(([+-]?)(\d{4})(-?)(\d\d)\3(\d\d))"                   // date, extended or basic
+      R"(([+-]?)(\d{4})(-?)(\d\d)\3(\d\d))"                   // date, with or without hyphens
       R"((?:[Tt ](\d\d)(:?)(\d\d)(?:\7(\d\d(?:\.\d+)?))?)?)"  // time of day
       R"((?:([Zz])|([+-])(\d\d)(?::?(\d\d))?)?)");            // offset
   constexpr std::size_t longest = 64;
@@ -55,11 +56,11 @@ std::optional<CivilTime> civil_time(std::string_view text) {
   return sound ? std::optional(c) : std::nullopt;
 }
 
-/// Converts a moment to UTC, in which a leap second may end the day; empty if the date does not exist.
+/// Converts a moment to UTC and keeps second 60, which may be a leap second; empty if the date does not exist.
 std::optional<CivilTime> in_utc(CivilTime c) {
   constexpr int day_min = 24 * 60;
   const int minutes = 60 * c.hour + c.minute - c.minutes_east;
-  const int days = (minutes + 2 * day_min) / day_min - 2;  // a floor: an offset is under two days
+  const int days = (minutes + 2 * day_min) / day_min - 2;  // round down: offsets are under two days
   double day = 0, midnight = 0, fraction = 0;
   if (eraCal2jd(c.year, c.month, c.day, &day, &midnight) != 0) return std::nullopt;
   eraJd2cal(day, midnight + days, &c.year, &c.month, &c.day, &fraction);
@@ -71,7 +72,7 @@ std::optional<CivilTime> in_utc(CivilTime c) {
 
 /// Converts a date from the Julian to the Gregorian calendar; empty if the date does not exist.
 ///
-/// Source  Meeus (1998), Astronomical Algorithms, chapter 7: the Julian day of a Julian date
+/// Source  Meeus (1998), Astronomical Algorithms, chapter 7: from calendar dates to Julian days
 std::optional<CivilTime> in_gregorian(CivilTime c) {
   constexpr int days_in[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
   if (c.month < 1 || c.month > 12) return std::nullopt;
@@ -91,10 +92,10 @@ Instant normalised(double day, double fraction) {
   return {day + whole, fraction - whole};
 }
 
-enum class Scale { utc, ut1 };  // true UTC while ERFA has leap seconds, otherwise UT1
+enum class Scale { utc, ut1 };  // UTC in years for which ERFA has leap seconds, otherwise UT1
 
 constexpr int dubious_year =
-    1;  // ERFA's status for a day after its leap seconds: here, the end of the last
+    1;  // ERFA's status for days after its table of leap seconds; here, at the end of the table's last day
 
 const char* name(Scale scale) { return scale == Scale::utc ? "UTC" : "UT1"; }
 

@@ -14,7 +14,7 @@ namespace coppermoon::almanac {
 namespace {
 
 struct Term {
-  double argument, argument_per_day, right_ascension, declination, meridian;  // degrees
+  double argument, argument_per_day, right_ascension, declination, meridian;  // [degrees]
 };
 
 std::vector<Term> parsed_terms() {

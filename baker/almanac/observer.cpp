@@ -14,7 +14,7 @@
 namespace coppermoon::almanac {
 namespace {
 
-/// Rotation from Earth-fixed to GCRS axes, without polar motion (under 0.6″).
+/// Rotation from Earth-fixed to GCRS axes. Polar motion, which is under 0.6″, is left out.
 glm::dmat3 gcrs_from_earth_fixed(const SkyState& sky) {
   const Instant ut1 = later(sky.when, -delta_t_s(sky.when));
   double r[3][3], equator_from_gcrs[3][3];
@@ -35,7 +35,7 @@ glm::dvec3 earth_fixed_position_m(const Observer& observer) {
   return {xyz[0], xyz[1], xyz[2]};
 }
 
-/// Earth-fixed axes of the horizon at a place, in columns: north, east, zenith. They are defined at the poles too.
+/// Unit vectors to the north, east and zenith of a place, as columns, in Earth-fixed axes. They exist at the poles too.
 glm::dmat3 earth_fixed_horizon(const Observer& observer) {
   const double latitude = algebra::in_radians(observer.latitude),
                longitude = algebra::in_radians(observer.longitude);

@@ -7,25 +7,25 @@
 
 namespace coppermoon::almanac {
 
-/// A place on the Earth: geodetic WGS 84 latitude, longitude east positive, height above the ellipsoid.
+/// A place on the Earth: geodetic latitude in WGS 84, longitude (east positive) and height above the ellipsoid.
 struct Observer {
   algebra::Angle latitude, longitude;
   algebra::Length elevation;
 };
 
-/// How an observer sees the Moon without the air.
+/// How an observer would see the Moon if there were no air.
 struct ObserverView {
-  glm::dvec3 position_m;             ///< the observer, geocentric, GCRS axes
-  glm::dvec3 zenith;                 ///< unit, GCRS axes (geodetic vertical)
-  glm::dvec3 north;                  ///< unit, GCRS axes: the celestial pole of date
+  glm::dvec3 position_m;             ///< of the observer, from the Earth's centre, in GCRS axes
+  glm::dvec3 zenith;                 ///< unit vector along the geodetic vertical, in GCRS axes
+  glm::dvec3 north;                  ///< unit vector to the celestial pole of date, in GCRS axes
   algebra::Angle altitude, azimuth;  ///< of the Moon's centre; azimuth from north through east
   algebra::Angle
       parallactic_angle;          ///< at the Moon, from celestial north to the zenith, through east
-  algebra::Length moon_distance;  ///< observer to the Moon's centre
-  SelenographicPoint sub_observer;  ///< topocentric libration
+  algebra::Length moon_distance;  ///< from the observer to the Moon's centre
+  SelenographicPoint sub_observer;  ///< middle of the disc: the topocentric libration
 };
 
-/// Throws  Error  if the latitude is outside ±90°, the longitude ±360° or the elevation −500 to 100 000 m
+/// Throws  Error  unless latitude is within ±90°, longitude within ±360° and elevation within −500 to 100 000 m
 void require_on_earth(const Observer& observer);
 
 /// The Moon as seen from a place on the Earth, without refraction.

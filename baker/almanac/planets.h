@@ -13,16 +13,16 @@ namespace coppermoon::almanac {
 /// A planet as seen from the Earth's centre.
 struct Planet {
   std::string_view name;
-  glm::dvec3 position_m;  ///< apparent (light time, aberration), GCRS axes [m]
-  double magnitude;       ///< V
+  glm::dvec3 position_m;  ///< apparent, with light time and aberration; GCRS axes [m]
+  double magnitude;       ///< in the V band
   double b_minus_v;
-  algebra::Length radius;  ///< at its equator
+  algebra::Length radius;  ///< at the equator
 };
 
-/// Mercury to Neptune, without the Earth.
+/// The planets from Mercury to Neptune, without the Earth.
 ///
-/// Accuracy  0.15″ against a worked example in 1992; the theory claims 1″ from 1800 to 2100. Magnitudes 0.1
-/// Omits     changes in magnitude with the rotation and seasons of Mars, and the sub-Earth latitude of Uranus (0.1)
+/// Accuracy  0.15″ compared with a worked example for 1992; 1″ from 1800 to 2100 by the theory's claim. Magnitudes 0.1
+/// Omits     changes in magnitude with the rotation and seasons of Mars, and with Uranus's sub-Earth latitude (0.1)
 /// Source    VSOP87 (Bretagnon & Francou 1988, Astron. Astrophys. 202, 309) in libnova;
 ///           magnitudes: Mallama & Hilton (2018), Astronomy and Computing 25, 10; B − V: Cox (2000),
 ///           Allen's Astrophysical Quantities; radii: Archinal et al. (2018), Celest. Mech. 130, 22

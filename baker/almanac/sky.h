@@ -14,22 +14,22 @@ namespace coppermoon::almanac {
 /// Geocentric positions and orientations of the Sun and the Moon at one moment.
 struct SkyState {
   Instant when;
-  glm::dvec3 sun_m, moon_m;  ///< apparent geocentric (light time, aberration), GCRS axes [m]
+  glm::dvec3 sun_m, moon_m;  ///< apparent geocentric, with light time and aberration; GCRS axes [m]
   glm::dmat3 selenographic_from_gcrs;  ///< to the Moon-fixed frame: X to 0°, Y to 90° E, Z north
   glm::dmat3 equator_from_gcrs;        ///< to the true equator and equinox of date
-  SelenographicPoint sub_earth, sub_solar;  ///< with aberration
+  SelenographicPoint sub_earth, sub_solar;  ///< aberration included
   algebra::Angle
       axis_position_angle;  ///< of the Moon's north pole, from the north of date through east
 };
 
 /// Computes positions and orientations at a moment with one of the two lunar theories (ephemeris.h).
 ///
-/// Accuracy  Moon 1 km; libration, sub-solar point and axis 0.01°, compared with DE431 from 2007 to 2010. Tables whose
-///           libration omits aberration differ by 20.5″, or 0.0057°
+/// Accuracy  compared with DE431 from 2007 to 2010: 1 km for the Moon's position, 0.01° for libration, sub-solar point
+///           and axis. Tables whose libration omits aberration differ by 20.5″, or 0.0057°
 /// Source    precession and nutation: IAU 2006/2000A (ERFA eraPnm06a)
 SkyState sky_at(const Instant& instant, LunarTheory theory = LunarTheory::elp_2000_82b);
 
-/// Apparent right ascension (0 to 2π), declination and distance of a GCRS position, relative to the equator of date.
+/// Apparent right ascension (0 to 2π), declination and distance, relative to the true equator and equinox of date.
 struct EquatorialPlace {
   algebra::Angle right_ascension, declination;
   algebra::Length distance;
@@ -41,9 +41,9 @@ glm::dmat3 equator_from_gcrs(const Instant& instant);
 
 /// Position angle of `target` relative to `direction`, from north through east, −π to π.
 ///
-/// Given   direction   vertex of the angle, of any length; all three vectors have the same axes
-///         target      of any length
-///         north       the celestial pole, a unit vector
+/// Given   direction   vector to the vertex of the angle; of any length, in the same axes as the other vectors
+///         target      vector of any length
+///         north       unit vector to the celestial pole
 algebra::Angle position_angle(const glm::dvec3& direction, const glm::dvec3& target,
                               const glm::dvec3& north);
 

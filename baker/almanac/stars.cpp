@@ -25,11 +25,9 @@ double number_in(std::string_view bytes) {
   return static_cast<std::int32_t>(number << unused) >> unused;
 }
 
-/// Reads a star from a record of the catalogue.
-///
-/// Given  record  in the format of data/make_stars.py
+/// Reads a star from a record of the catalogue, whose format is described in data/make_stars.py.
 Star star_of(std::string_view record) {
-  constexpr double step_rad = std::numbers::pi / 2147483648.,  // half a turn over 2^31
+  constexpr double step_rad = std::numbers::pi / 2147483648.,  // half a turn divided by 2^31
       motion_step_rad = 1e-5 * ERFA_DAS2R;
   const double ascension = step_rad * number_in(record.substr(0, 4)),
                declination = step_rad * number_in(record.substr(4, 4));

@@ -42,7 +42,7 @@ std::vector<KeptFile> kept_in(const fs::path& folder) {
   std::error_code failed;
   for (const auto& entry : fs::directory_iterator(folder, failed)) {
     if (!names_a_kept_file(entry.path()) || !is_users_own(entry.path())) continue;
-    std::error_code gone;  // if another process removed it
+    std::error_code gone;  // set if another process removed the file
     const KeptFile file{entry.path(), entry.file_size(gone), entry.last_write_time(gone)};
     if (!gone) all.push_back(file);
   }
@@ -70,7 +70,7 @@ std::vector<KeptFile> remove_oldest(const fs::path& folder, double most_bytes,
 }
 
 void make_private_folder(const fs::path& folder) {
-  const auto path = folder.has_filename() ? folder : folder.parent_path();  // "kept/" is "kept"
+  const auto path = folder.has_filename() ? folder : folder.parent_path();  // without a final slash
   std::error_code failed;
   if (path.has_parent_path()) fs::create_directories(path.parent_path(), failed);
   if (const auto reason = make_folder_for_user(path)) failed = reason;

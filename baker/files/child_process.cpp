@@ -12,7 +12,7 @@ namespace {
 
 using algebra::Error;
 
-/// Function that collects the first 4096 bytes of a program's messages in `said`.
+/// A callback that appends a program's messages to `said` until that has 4096 bytes.
 auto kept_in(std::string& said) {
   return [&said](std::string_view words) {
     constexpr std::size_t most = 4096;
@@ -20,13 +20,13 @@ auto kept_in(std::string& said) {
   };
 }
 
-/// Last non-empty line of a text.
+/// The last non-empty line of a text.
 std::string last_line(std::string text) {
   while (text.ends_with('\n')) text.pop_back();
   return text.substr(text.rfind('\n') + 1);
 }
 
-/// First non-empty line of a text.
+/// The first non-empty line of a text.
 std::string first_line(std::string text) {
   text.erase(0, text.find_first_not_of('\n'));
   return text.substr(0, text.find('\n'));

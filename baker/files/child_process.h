@@ -11,55 +11,55 @@
 
 namespace coppermoon::files {
 
-/// A program to run, and how to run it.
+/// A program to run, with its arguments and environment.
 struct Program {
   std::vector<std::string> words;        ///< the program's name or path, then its arguments
-  std::string package;                   ///< Debian package that contains it
+  std::string package;                   ///< Debian package that contains the program
   std::filesystem::path folder = ".";    ///< working directory
-  std::vector<std::string> variables{};  ///< environment variables to set or replace: "NAME=value"
-  /// Keeps running after this process ends, in a process group of its own, so that signals to ours do not reach it.
+  std::vector<std::string> variables{};  ///< environment variables to set, as "NAME=value"
+  /// The program keeps running when this process ends, and signals sent to this process's group do not reach it.
   bool outlives_us = false;
 };
 
-/// What to do with a program's output while it runs, and when to end it.
+/// What to do with a program's output, and when to stop the program.
 struct Hearing {
-  const Handle* result = nullptr;  ///< receives its standard output; nullptr: discarded
-  /// Receives the program's standard error as it is written. May throw, which ends the program.
+  const Handle* result = nullptr;  ///< receives its standard output; nullptr discards it
+  /// Called with what the program writes to its standard error. An exception from this function ends the program.
   std::function<void(std::string_view)> hear{};
-  /// File in the program's folder: once the program closes it, the program is ended, if the system reports it. If
-  /// empty, never.
+  /// Name of a file in the program's working directory. Once the program has closed this file, it is killed, if the
+  /// system can report the closing. If empty, the program runs to its end.
   std::string until_closed{};
-  double timeout_s = 0;  ///< 0: no timeout
+  double timeout_s = 0;  ///< 0 means no timeout
 };
 
-/// Runs a program until it ends or `hearing` ends it. The program never outlives this call, even if the call throws or
-/// this process is killed.
+/// Runs a program until it ends by itself or is stopped as `hearing` asks. The program never outlives this call, even
+/// if the call throws or this process is killed.
 ///
-/// Returned  whether the program ended successfully or closed the file `until_closed`
-/// Throws    Error  if the program cannot be run: names the package if there is no such program; if a signal ended
-///                  it; if it exceeds the timeout
+/// Returned  whether the program succeeded or closed the file `hearing.until_closed`
+/// Throws    Error  if the program is not installed (the message names its package) or cannot be run; if a signal
+///                  ended it; if it exceeds the timeout
 bool run_heard(const Program& program, const Hearing& hearing);
 
 /// Runs a program to its end.
 ///
-/// Given   result  receives its standard output; nullptr: discarded
-/// Throws  Error   as run_heard; if the program fails, with the first words of its own message; if it succeeds, as
-///                 require_whole
+/// Given   result  receives the program's standard output; nullptr discards it
+/// Throws  Error   like run_heard; if the program fails, with the first line of its messages; if its output is empty or
+///                 incomplete (require_whole)
 void run_program(const Program& program, const Handle* result = nullptr);
 
-/// Refuses a file that a program left empty or truncated (has_its_end), whatever its exit status.
+/// Refuses a file that a program left empty or truncated (has_its_end), even if the program reported success.
 ///
-/// Given  by  the program's name
+/// Given   by     name of the program that wrote the file
+/// Throws  Error
 void require_whole(const Handle& file, const std::string& by);
 
-/// Runs a program to its end.
+/// Runs a program to its end and returns what it wrote to its standard output.
 ///
-/// Given     program  writes at most 4096 bytes to its standard output
-/// Returned  its standard output
-/// Throws    Error  as run_heard; if the program fails, with the last words of its own message
+/// Given   program  must not write more than 4096 bytes
+/// Throws  Error    like run_heard; if the program fails, with the last line of its messages
 std::string output_of(const Program& program);
 
-/// Name by which a program can open its standard output as a file in which it can seek.
+/// Path by which a program can open its own standard output as a file in which it can seek.
 extern const char* const own_output;
 
 }  // namespace coppermoon::files

@@ -29,8 +29,8 @@ using Clock = std::chrono::steady_clock;
   throw Error(fmt::format("no pipe to another program: {}", std::strerror(errno)));
 }
 
-/// Turns the forked child into the program; returns only on failure. Calls only functions that are safe after a fork
-/// in a process with many threads.
+/// Replaces the forked child by the program; returns only on failure. It may call only functions that are safe after a
+/// fork in a process with many threads.
 void become(char* const* arguments, char* const* variables, const Program& program,
             const Streams& streams, pid_t parent) {
   if (program.outlives_us ? ::setpgid(0, 0) != 0
@@ -46,7 +46,7 @@ void become(char* const* arguments, char* const* variables, const Program& progr
   ::execvpe(arguments[0], arguments, variables);
 }
 
-/// Environment of this process with some variables added or replaced.
+/// The environment of this process with the given variables added or replaced.
 std::vector<std::string> environment_with(std::vector<std::string> variables) {
   const auto named = variables;
   for (char** ours = environ; *ours != nullptr; ++ours) {
@@ -58,7 +58,7 @@ std::vector<std::string> environment_with(std::vector<std::string> variables) {
   return variables;
 }
 
-/// Null-terminated array for exec.
+/// Pointers to the words, with a null pointer at the end, as exec expects them.
 std::vector<char*> pointers_to(std::vector<std::string>& words) {
   std::vector<char*> pointers;
   for (auto& word : words) pointers.push_back(word.data());
@@ -66,15 +66,15 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
   return pointers;
 }
 
-/// Value of errno that the child wrote before it ended, or 0 if exec succeeded and closed the pipe.
+/// Reads the child's errno from a pipe; 0 if exec succeeded, which closes the pipe without a value.
 int failure_of(const Handle& from) {
   int failure = 0;
   while (::read(descriptor_of(from), &failure, sizeof failure) < 0 && errno == EINTR) continue;
   return failure;
 }
 
-/// Watch that reports when a file written in the folder is closed; empty if `file` is, or if the system has no
-/// watches left.
+/// An inotify watch that reports each closing of a file written in a folder. Returns an empty handle if `file` is empty
+/// or the system has no watches left.
 Handle watch(const std::filesystem::path& folder, const std::string& file) {
   Handle made(file.empty() ? -1 : ::inotify_init1(IN_CLOEXEC | IN_NONBLOCK));
   if (made && ::inotify_add_watch(descriptor_of(made), folder.c_str(), IN_CLOSE_WRITE) < 0)
@@ -82,7 +82,7 @@ Handle watch(const std::filesystem::path& folder, const std::string& file) {
   return made;
 }
 
-/// Reads a watch's pending reports: is the closing of `file` among them?
+/// Whether the pending reports of an inotify watch include the closing of a given file.
 bool has_closed(const Handle& watch, const std::string& file) {
   alignas(inotify_event) std::array<char, 4096> events;
   const auto count = ::read(descriptor_of(watch), events.data(), events.size());
@@ -94,7 +94,7 @@ bool has_closed(const Handle& watch, const std::string& file) {
   return false;
 }
 
-/// Time left until the timeout [ms]; negative if there is no timeout.
+/// Time left until a program's timeout [ms]; negative if there is no timeout.
 ///
 /// Throws  Error  if no time is left
 int milliseconds_left(const Program& program, double timeout_s, Clock::time_point start) {
@@ -106,9 +106,9 @@ int milliseconds_left(const Program& program, double timeout_s, Clock::time_poin
   return static_cast<int>(std::min(timeout_s - used_s, 1e3) * 1e3) + 1;
 }
 
-/// Listens to a program until it ends or closes the file `until_closed`.
+/// Passes on a program's messages until it ends or closes the file `hearing.until_closed`.
 ///
-/// Returned  whether it closed the file and may still be running
+/// Returned  true if the program closed the file and may still be running; false if it ended
 bool listen(const Handle& words, const Handle& closing, const Program& program,
             const Hearing& hearing) {
   const auto start = Clock::now();
@@ -130,7 +130,7 @@ bool listen(const Handle& words, const Handle& closing, const Program& program,
 
 const char* const own_output = "/dev/fd/1";
 
-/// Both ends get numbers of at least 3, so that a child can set up its standard streams without closing them.
+/// The descriptors of both ends are 3 or more, so that a child does not overwrite them with its standard streams.
 Pipe::Pipe() {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) refuse_pipe();
@@ -162,7 +162,7 @@ int RunningProgram::status() {
   return result;
 }
 
-/// Uses fork, because posix_spawn cannot make the child end when this process does.
+/// Uses fork, because posix_spawn cannot ensure that the child ends when this process ends.
 void start(RunningProgram& running, const Program& program, const Streams& streams) {
   auto words = program.words, variables = environment_with(program.variables);
   const auto arguments = pointers_to(words), environment = pointers_to(variables);

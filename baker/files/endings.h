@@ -12,14 +12,14 @@
 
 namespace coppermoon::files {
 
-/// Format of a file that a command writes, as help, errors and the documentation describe it. Tables of formats add
-/// the function that writes the file.
+/// A file format that a command can write, as it is described in help, error messages and the documentation. Tables of
+/// formats derive from this and add the function that writes the file.
 struct Ending {
-  std::string_view ending;  ///< ending of the file's name: ".png"
-  std::string_view help;    ///< what the file holds: "developed"; empty if the ending says enough
+  std::string_view ending;  ///< ending of the file's name, such as ".png"
+  std::string_view help;    ///< content, such as "developed"; empty if the ending says enough
 };
 
-/// A list of the formats in words: ".exr (scene-linear), .png (developed)".
+/// The formats as a list for readers, such as ".exr (scene-linear), .png (developed)".
 template <class Formats>
 std::string in_words(const Formats& formats) {
   std::string words;
@@ -29,10 +29,10 @@ std::string in_words(const Formats& formats) {
   return words;
 }
 
-/// Format of a file, by the ending of its name.
+/// Finds the format of a file by the ending of its name.
 ///
 /// Given   what   what is to be written, such as "a texture"
-/// Throws  Error  for an unknown ending: names all known ones
+/// Throws  Error  if the ending is unknown; the message lists all known ones
 template <class Formats>
 const auto& format_of(const std::filesystem::path& file, const Formats& formats,
                       std::string_view what) {

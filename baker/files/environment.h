@@ -7,16 +7,16 @@
 
 namespace coppermoon::files {
 
-/// Value of a variable in this process's environment; empty if it is not set.
+/// Value of an environment variable; empty if it is not set.
 std::string variable(const char* name);
 
 /// Sets an environment variable unless it is already set.
 void set_missing_variable(const char* name, const std::string& value);
 
-/// Folder for the user's caches, by the XDG Base Directory Specification; empty if the user has no home folder.
+/// The user's cache folder according to the XDG Base Directory Specification; empty if the user has no home folder.
 std::filesystem::path users_caches();
 
-/// Whether a path, and its target if it is a link, belong to this user or to the administrator.
+/// Whether a file or folder belongs to this user or to root. If it is a link, its target must do so too.
 bool belongs_to_user(const std::filesystem::path& path);
 
 /// Makes a folder that only this user may enter. An existing folder is left as it is.

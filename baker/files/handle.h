@@ -11,7 +11,7 @@
 
 namespace coppermoon::files {
 
-/// The system's number for an open file, an end of a pipe, or a lock; closed by the destructor.
+/// The operating system's number for an open file, one end of a pipe, or a lock. The destructor closes it.
 struct Handle {
   std::intptr_t number = -1;  ///< negative if nothing is open
 
@@ -28,21 +28,21 @@ struct Handle {
   explicit operator bool() const { return number >= 0; }
 };
 
-/// Opens a file for reading; an empty handle if that fails. Never blocks, even on a pipe without a writer.
+/// Opens a file for reading. Returns an empty handle on failure, and never blocks, even on a pipe without a writer.
 Handle opened(const std::filesystem::path& file);
 
 /// Size of an open file [bytes]; 0 for a folder, a pipe or a device.
 std::uint64_t size_of(const Handle& file);
 
-/// Reads `count` bytes of a file from an offset on; fewer if the file ends first.
+/// Reads `count` bytes of a file, starting at the offset `place`; fewer if the file ends first.
 std::string bytes_at(const Handle& file, std::uint64_t place, std::size_t count);
 
-/// Writes bytes at an offset in a file.
+/// Writes bytes into a file, starting at the offset `place`.
 ///
-/// Returned  the system's reason if some bytes could not be written
+/// Returned  the system's error if not all bytes could be written
 std::error_code write_at(const Handle& file, std::uint64_t place, std::string_view bytes);
 
-/// Name by which this process can open the file again, even if the file has no name in a folder yet.
+/// Path by which this process can open the file again, even if the file has no name in any folder yet.
 std::string name_of(const Handle& file);
 
 }  // namespace coppermoon::files

@@ -7,16 +7,16 @@ namespace coppermoon::files {
 
 /// Path of the running program's file.
 ///
-/// Throws  std::filesystem::filesystem_error  if the system does not report it
+/// Throws  std::filesystem::filesystem_error  if the system does not report the path
 std::filesystem::path own_program();
 
-/// File that contains a piece of code or a constant: the program, or a library that it has loaded.
+/// The file from which a function or constant was loaded: the program itself or one of its libraries.
 std::filesystem::path file_that_has(const void* part);
 
-/// Function in a library, which is loaded and never unloaded. The library's other symbols stay local to it.
+/// Loads a library and finds a function in it. The library is never unloaded, and its symbols stay local to it.
 ///
 /// Returned  nullptr if the library has no function of that name
-/// Throws    Error  "cannot be loaded", with the system's reason
+/// Throws    Error  if the library cannot be loaded, with the system's reason
 void* function_of(const std::filesystem::path& library, const char* name);
 
 }  // namespace coppermoon::files

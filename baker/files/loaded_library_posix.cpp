@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 fs::path own_program() { return fs::read_symlink("/proc/self/exe"); }
 
-/// The system gives an empty name for the program itself.
+/// The dynamic linker reports an empty name if the part is in the program itself.
 fs::path file_that_has(const void* part) {
   Dl_info info{};
   void* map = nullptr;

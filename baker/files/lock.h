@@ -9,28 +9,28 @@
 
 namespace coppermoon::files {
 
-/// Exclusive lock on a folder for the handle's lifetime; other processes wait. On a file system without locks, every
-/// lock is granted.
+/// Locks a folder for as long as the returned handle lives. Waits while another process holds the lock. On a file
+/// system without locks, every lock is granted.
 [[nodiscard]] Handle lock_folder(const std::filesystem::path& folder);
 
-/// Exclusive lock on a file that does not exist yet, for the handle's lifetime; the user's other processes wait. The
-/// lock is an empty file beside it, ".NAME.lock", which only this user can open and which is not removed. On a file
-/// system without locks, every lock is granted. Another user's lock file is ignored.
+/// Locks a file that need not exist yet, for as long as the returned handle lives. Waits while another process of this
+/// user holds the lock. The lock is an empty file beside it, ".NAME.lock", which only this user can open and which
+/// is never removed. A lock file of another user is ignored; on a file system without locks, every lock is granted.
 ///
-/// Given  waiting  called before the call has to wait
+/// Given  waiting  called before lock_file starts to wait
 [[nodiscard]] Handle lock_file(const std::filesystem::path& file,
                                const std::function<void()>& waiting);
 
-/// Claim on a folder for one purpose; processes with the same purpose share it.
+/// A claim on a folder for one purpose. Several processes can claim a folder for the same purpose.
 struct FolderClaim {
-  Handle handle;  ///< holds the claim for its lifetime
+  Handle handle;  ///< the claim lasts as long as this handle
   bool alone =
-      true;  ///< no claim for another purpose; two claims within microseconds may both get false
+      true;  ///< no one claims it for another purpose; if two do so at once, both may get false
 };
 
-/// Claims a folder, independently of lock_folder. On a file system without locks, every claim is granted.
+/// Claims a folder for a purpose, independently of lock_folder. On a file system without locks, every claim is granted.
 ///
-/// Given  purpose  number that stands for the purpose, such as a fingerprint
+/// Given  purpose  a number that stands for the purpose, such as a fingerprint
 [[nodiscard]] FolderClaim claim_folder(const std::filesystem::path& folder, std::uint64_t purpose);
 
 }  // namespace coppermoon::files

@@ -20,9 +20,9 @@ struct flock lock_of(short type, off_t from, off_t length) {
   return lock;
 }
 
-/// Whether another open file holds a lock on any byte of a range.
+/// Whether anyone else has locked any byte of a range in a file.
 ///
-/// Given  length  0: everything from `from` on
+/// Given  length  number of bytes from the offset `from` on; 0 means all bytes
 bool others_hold(int descriptor, off_t from, off_t length) {
   auto asked = lock_of(F_WRLCK, from, length);
   return ::fcntl(descriptor, F_OFD_GETLK, &asked) == 0 && asked.l_type != F_UNLCK;
@@ -48,11 +48,11 @@ Handle lock_file(const std::filesystem::path& file, const std::function<void()>&
   return handle;
 }
 
-/// The claim is a read lock on one byte, whose offset stands for the purpose.
+/// The claim is a read lock on a single byte, and the byte's offset stands for the purpose.
 FolderClaim claim_folder(const std::filesystem::path& folder, std::uint64_t purpose) {
   FolderClaim claim{opened(folder)};
   const auto descriptor = descriptor_of(claim.handle);
-  const auto byte = static_cast<off_t>(purpose >> 2) + 1;  // not the first or last possible offset
+  const auto byte = static_cast<off_t>(purpose >> 2) + 1;  // neither the first nor the last offset
   auto mine = lock_of(F_RDLCK, byte, 1);
   if (::fcntl(descriptor, F_OFD_SETLK, &mine) == 0)
     claim.alone = !others_hold(descriptor, 0, byte) && !others_hold(descriptor, byte + 1, 0);

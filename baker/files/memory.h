@@ -6,23 +6,23 @@
 
 namespace coppermoon::files {
 
-/// Memory that the system reports as available to programs [bytes]; 1e9 if it reports none.
+/// Memory available to programs [bytes], as the system reports it; 1e9 if the system does not report it.
 double available_memory();
 
-/// Refuses work for which this machine has too little memory, before it begins.
+/// Refuses a piece of work, before it begins, if it needs more memory than is available.
 ///
 /// Given   what   what needs the memory, such as "a.glb"
-///         bytes  memory that it needs
-/// Throws  Error  giving the memory needed and the memory available
+///         bytes  memory needed
+/// Throws  Error  if too little is available; the message gives the memory needed and the memory available
 void require_memory(std::string_view what, double bytes);
 
 /// Whether the address space of this process is limited.
 bool addresses_are_limited();
 
-/// Whether this process could still reserve this much address space [bytes].
+/// Whether this process could still reserve the given amount of address space.
 bool has_addresses(std::size_t bytes);
 
-/// Keeps freed memory in this process for reuse: fetching new pages from the system takes a tenth of a texture's time.
+/// Keeps freed memory for reuse, because fetching new pages takes a tenth of the time in which a texture is baked.
 void keep_freed_memory();
 
 }  // namespace coppermoon::files

@@ -6,13 +6,13 @@
 
 namespace coppermoon::files {
 
-/// Name under which to mention a file in other files that are passed on: without the user's private folders.
+/// A file's name without the user's private folders, to be mentioned in files that may be given to others.
 ///
-/// Returned  relative names and names in /usr unchanged; absolute names in the current folder relative to it; for all
-///           other names, only the last part
+/// Returned  relative paths and paths in /usr unchanged; absolute paths in the current folder relative to it; for all
+///           other paths, only the last part
 std::string name_to_share(const std::filesystem::path& path);
 
-/// Path of a file that a shared file mentions: in the current folder if it exists there, else beside the shared file.
+/// Finds a file that another file mentions: in the current folder if it exists there, else beside the other file.
 std::string shared_file(const std::string& name, const std::filesystem::path& named_in);
 
 }  // namespace coppermoon::files

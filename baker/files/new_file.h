@@ -13,11 +13,12 @@ namespace coppermoon::files {
 /// Error with the message "PATH: cannot be written: REASON".
 algebra::Error cannot_write(const std::filesystem::path& path, std::error_code reason);
 
-/// New file in the folder of the final one, removed by the destructor or at the program's end unless it was put in
-/// place. Until then it has no name, if the file system allows that. It has the permissions of the file it replaces.
+/// A new file that gets its final name only when it is put in place. If that does not happen, the file is removed by
+/// the destructor or when the program ends. Until then it has no name, if the file system allows that, or a temporary
+/// name in the final folder. Its permissions are those of the file that it replaces.
 class NewFile {
  public:
-  /// Given   final_path  with all links followed
+  /// Given   final_path  path whose links have been followed
   /// Throws  Error       if the file cannot be made
   explicit NewFile(const std::filesystem::path& final_path);
   NewFile(const NewFile&) = delete;
@@ -26,9 +27,9 @@ class NewFile {
 
   const Handle& handle() const { return handle_; }
 
-  /// Flushes the file to the disk and gives it its final name, so that it survives even a power cut.
+  /// Writes the file to the disk, so that it survives even a power cut, and gives it its final name.
   ///
-  /// Throws  Error  when the system refuses
+  /// Throws  Error  if the system reports a failure
   void put_in_place();
 
  private:

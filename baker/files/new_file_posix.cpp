@@ -17,21 +17,21 @@ namespace fs = std::filesystem;
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
-/// Copies the permissions of the file to be replaced, as far as this user is allowed to.
+/// Gives a new file the permissions of the file that it will replace, as far as this user is allowed to.
 void keep_permissions(int descriptor, const fs::path& of) {
   struct stat replaced {};
   constexpr mode_t permissions = 0777;
   if (::stat(of.c_str(), &replaced) == 0) ::fchmod(descriptor, replaced.st_mode & permissions);
 }
 
-/// Gives a nameless file a name. Returns false if that name is taken.
+/// Gives a nameless file a name; false if that fails, for instance because the name is taken.
 bool named(const Handle& file, const fs::path& name) {
   return ::linkat(AT_FDCWD, name_of(file).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
 }
 
 }  // namespace
 
-/// Makes a file under a temporary name that is not taken yet.
+/// Calls `make` with temporary names until one is not taken yet.
 template <typename Make>
 void NewFile::with_a_name(Make make) {
   static std::atomic<unsigned> names = 0;
@@ -62,14 +62,14 @@ NewFile::~NewFile() {
 
 void NewFile::put_in_place() {
   if (::fsync(descriptor_of(handle_)) != 0) throw cannot_write(final_, last_error());
-  // if the final name is free, take it at once: a program killed now leaves no temporary name behind
+  // if the final name is free, take it directly, so that no temporary name is left if the program is killed
   if (!path_.empty() || !named(handle_, final_)) {
     if (path_.empty()) with_a_name([this](const fs::path& name) { return named(handle_, name); });
     if (::rename(path_.c_str(), final_.c_str()) != 0) throw cannot_write(final_, last_error());
     path_.clear();
   }
   if (const auto folder = opened(final_.parent_path()))
-    ::fsync(descriptor_of(folder));  // ignored if the file system cannot
+    ::fsync(descriptor_of(folder));  // ignored if the file system does not support it
 }
 
 }  // namespace coppermoon::files

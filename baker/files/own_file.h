@@ -7,27 +7,27 @@
 
 namespace coppermoon::files {
 
-/// Text with its fingerprint appended in a comment on the last line, which reveals later changes.
+/// A text with its fingerprint appended as a comment on the last line. The fingerprint reveals later changes.
 ///
 /// Given  text     complete lines
-///        comment  start of a comment in the text's language, such as "//"
-///        end      end of a comment, such as " -->", if the end of the line does not end it
+///        comment  what starts a comment in the text's language, such as "//"
+///        end      what ends the comment, such as " -->"; empty if the end of the line does
 std::string stamped(std::string_view text, std::string_view comment, std::string_view end = {});
 
-/// Whether a file ends with its own fingerprint; false for a link.
+/// Whether a file ends with the fingerprint of its text; false for a link.
 bool is_stamped(const std::filesystem::path& file);
 
-/// Refuses a link under a name that the program chose. Links that the user named are followed.
+/// Refuses a link at a path that the program chose itself. Paths that the user gave may be links.
 ///
 /// Throws  Error
 void require_no_link(const std::filesystem::path& path);
 
-/// Error message for a file that would be overwritten although this program did not write it.
+/// Error message for a file that would be overwritten although it is not as this program wrote it.
 std::string not_as_written(const std::filesystem::path& file);
 
-/// Refuses to overwrite a file that is not stamped or has changed since it was. A missing file is accepted.
+/// Refuses to overwrite a file that has no fingerprint or has changed since. A missing file is accepted.
 ///
-/// Throws  Error  also for a link
+/// Throws  Error  also if the path is a link
 void require_stamped(const std::filesystem::path& file);
 
 }  // namespace coppermoon::files

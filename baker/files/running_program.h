@@ -17,34 +17,32 @@ struct Pipe {
   Pipe();
 };
 
-/// Waits for bytes from a pipe and returns them; empty at the pipe's end.
+/// Waits for bytes from a pipe and returns them; empty once the other end is closed.
 std::string read_some(const Handle& pipe);
 
-/// Running program, killed by the destructor.
+/// A running program. The destructor kills it.
 struct RunningProgram {
   std::int64_t id = 0;
-  bool leads_group = false;  ///< whether its process group is killed with it
+  bool leads_group = false;  ///< whether the destructor kills its whole process group
 
   RunningProgram() = default;
   RunningProgram(const RunningProgram&) = delete;
   RunningProgram& operator=(const RunningProgram&) = delete;
   ~RunningProgram();
 
-  /// Waits for the program's end.
-  ///
-  /// Returned  the exit status as the system reports it
+  /// Waits until the program ends, and returns the status that waitpid reports.
   int status();
 };
 
-/// Standard streams of a program; nullptr: an empty input, or output that is discarded.
+/// Standard streams of a program. If one is nullptr, the input is empty, or the output is discarded.
 struct Streams {
   const Handle *input = nullptr, *output = nullptr, *error = nullptr;
 };
 
-/// Starts a program. Unless it outlives us, it ends when the calling thread ends, for whatever reason. The thread
-/// must therefore wait for it.
+/// Starts a program. Unless `program.outlives_us` is set, the system kills it when the calling thread ends, so that
+/// thread must wait for it.
 ///
-/// Throws  Error  if the program cannot be run: names the package if there is no such program
+/// Throws  Error  if the program is not installed (the message names its package) or cannot be run
 void start(RunningProgram& running, const Program& program, const Streams& streams);
 
 }  // namespace coppermoon::files

@@ -7,9 +7,9 @@
 
 namespace coppermoon::files {
 
-/// Prepares the standard streams at the start of a program. The numbers of closed streams are reserved, so that no
-/// file opened later is mistaken for one of them; using them still fails. Writing to stderr never ends the program:
-/// a reader who closes it loses only the messages. A file that grows too large is an error like any other.
+/// Prepares the standard streams at the start of a program. If a stream is closed, its number is reserved, so that no
+/// file opened later is mistaken for it; using the stream still fails. If stderr's reader closes it, messages are lost,
+/// but the program goes on. Exceeding the limit on file sizes becomes an ordinary error.
 void prepare_standard_streams();
 
 /// Whether stderr is a terminal.
@@ -18,12 +18,12 @@ bool errors_on_terminal();
 /// Writes to stderr without allocating memory.
 void say_at_once(std::string_view words);
 
-/// Discards whatever any code writes to stderr.
+/// Discards all that is written to stderr, even by libraries, until hear_errors is called.
 ///
-/// Returned  the previous stderr, for hear_errors
+/// Returned  the previous stderr, to be passed to hear_errors
 [[nodiscard]] Handle silence_errors();
 
-/// Restores stderr after silence_errors.
+/// Restores the stderr that silence_errors returned.
 void hear_errors(const Handle& before);
 
 }  // namespace coppermoon::files

@@ -11,8 +11,8 @@
 namespace coppermoon::files {
 namespace {
 
-/// Opens /dev/null on each closed standard descriptor, but in the wrong direction, so that reading or printing still
-/// fails as it would on a closed descriptor.
+/// Opens /dev/null on each standard descriptor that is closed. Input is opened for writing and output for reading, so
+/// that using them still fails.
 void hold_standard_descriptors() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(descriptor, F_GETFD) < 0)

@@ -8,13 +8,13 @@
 
 namespace coppermoon::files {
 
-/// Refuses to start work if the system has no folder for temporary files.
+/// Refuses to start work if there is no folder for temporary files.
 ///
-/// Throws  Error  with the folder's name as TMPDIR gives it
+/// Throws  Error  with the folder that the variable TMPDIR names
 void require_temporary_folder();
 
-/// Removes a file or folder if the program ends during this object's lifetime, for whatever reason: a child process
-/// waits for the program's end. On a system without a shell, the file or folder stays.
+/// Removes a file or folder if the program ends, or is killed, during this object's lifetime. A child process waits for
+/// that and removes it. On a system without a shell, the file or folder stays.
 class RemovalAtEnd {
  public:
   explicit RemovalAtEnd(const std::filesystem::path& path);
@@ -22,13 +22,13 @@ class RemovalAtEnd {
   RemovalAtEnd& operator=(const RemovalAtEnd&) = delete;
 
  private:
-  std::optional<Pipe> alive_;  ///< closed when the program ends, or after the remover has ended
+  std::optional<Pipe> alive_;  ///< closed when the program ends, or by the destructor
   RunningProgram remover_;
 };
 
-/// Temporary folder, removed when this object is destroyed or the program ends, for whatever reason.
+/// A temporary folder, removed when this object is destroyed or when the program ends or is killed.
 ///
-/// Throws  Error  when the system's temporary folder is not writable
+/// Throws  Error  if the system's temporary folder is not writable
 class TemporaryFolder {
  public:
   TemporaryFolder();

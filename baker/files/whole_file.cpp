@@ -18,7 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Final path of a file, with links resolved and its folder made explicit.
+/// The path to which a file will be written, with all links followed.
+///
+/// Throws  Error  if no regular file can be there
 fs::path destination(const fs::path& path) {
   std::error_code failed;
   if (path.filename().empty() || fs::is_directory(path, failed))
@@ -37,7 +39,7 @@ algebra::Error cannot_write(const fs::path& path, std::error_code reason) {
 }
 
 fs::path place_of(const fs::path& path, std::error_code& failed) {
-  constexpr int most_links = 40;  // the limit on Linux
+  constexpr int most_links = 40;  // the limit that Linux sets
   auto place = fs::weakly_canonical(fs::absolute(path, failed), failed);
   std::error_code absent;
   for (int links = 0; !failed && fs::is_symlink(place, absent); ++links) {

@@ -12,39 +12,40 @@
 
 namespace coppermoon::files {
 
-/// Absolute path with all links followed, even links to something that does not exist yet.
+/// The absolute path to which a path leads when all links are followed, even a link to a file that does not exist yet.
 std::filesystem::path place_of(const std::filesystem::path& path, std::error_code& failed);
 
-/// Writes a file that appears whole or not at all: it is written under a temporary name in the same folder, flushed to
-/// the disk, then renamed. If writing fails, the temporary file is removed and an old file stays. A file that replaces
-/// another takes over its permissions.
+/// Writes a file that appears whole or not at all. It gets its final name only after it has been written to the disk.
+/// If writing fails, nothing new remains and a previous file stays as it was. A file that replaces another keeps that
+/// file's permissions.
 ///
-/// Given   path   path of a new file or of one to replace; a symbolic link is followed
-///         fill   called with the new file, open for reading and writing; an exception ends the writing
-/// Throws  Error  one line with the path: no such folder, not permitted, disk full, or a directory
+/// Given   path   of a new file or of one to replace; a symbolic link is followed
+///         fill   called with the new file, open for reading and writing; if it throws, the file is not made
+/// Throws  Error  one line with the path, if there is no such folder, the path is a directory, the disk is full, or
+///                writing is not permitted
 void write_whole(const std::filesystem::path& path, const std::function<void(const Handle&)>& fill);
 
-/// Writes a text whole or not at all.
+/// Writes a text to a file that appears whole or not at all.
 void write_whole(const std::filesystem::path& path, std::string_view text);
 
 /// Refuses a pipe, a device or any other file from which reading might block or never end.
 ///
-/// Throws  Error  one line with the path, if it is not a regular file
+/// Throws  Error  one line with the path, if it exists but is not a regular file
 void require_regular_file(const std::filesystem::path& path);
 
-/// Refuses a path at which no file can be written, before the work for that file begins.
+/// Refuses a path at which no file could be written. It is called before the work whose result goes there.
 ///
-/// Throws  Error  if its folder or that of a link's target is missing, or if the path is a folder itself
+/// Throws  Error  if the folder of the file (or of a link's target) is missing, or if the path itself is a folder
 void require_place_for(const std::filesystem::path& file);
 
 /// All bytes of a regular file.
 ///
-/// Throws  Error  one line with the path: no such file, not permitted, or as require_regular_file
+/// Throws  Error  one line with the path, if the file does not exist, is not regular or cannot be read
 std::string bytes_of(const std::filesystem::path& path);
 
-/// First bytes of a file, at most `most_bytes`.
+/// The first bytes of a regular file, at most `most_bytes` of them.
 ///
-/// Throws  Error  one line with the path, if there is no such file, or as require_regular_file
+/// Throws  Error  one line with the path, if the file does not exist, is not regular or cannot be read
 std::string beginning_of(const std::filesystem::path& path, std::size_t most_bytes);
 
 }  // namespace coppermoon::files

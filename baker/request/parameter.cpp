@@ -16,7 +16,7 @@
 namespace coppermoon::request {
 namespace {
 
-/// Result of reading a text as a whole number.
+/// Result of parsing a text as a whole number.
 template <class Whole>
 struct Read {
   Whole value{};
@@ -46,7 +46,7 @@ std::string fault_of(const std::string& text) {
   return fmt::format("{}, allowed {}", text, number ? "whole numbers" : "a number");
 }
 
-/// Title for a parameter: "step [km]" for "step-km"; "cloud cover" for "cloud-cover".
+/// A parameter's name as error messages show it: "step [km]" for "step-km", "cloud cover" for "cloud-cover".
 std::string title_of(const Parameter& parameter) {
   auto title = parameter.name;
   const auto unit = unit_of(parameter);
@@ -73,7 +73,7 @@ bool holds(const Condition& condition, const Parameter& other) {
   });
 }
 
-/// Condition in words: "--solver photons or literal".
+/// A condition in words, such as "--solver photons or literal".
 std::string in_words(const Condition& condition, const std::string& name) {
   return condition.values.empty() ? name
                                   : fmt::format("{} {}", name, fmt::join(condition.values, " or "));
@@ -124,7 +124,7 @@ std::string fault_in(Kind kind, const std::string& text) {
 }
 
 std::string spelt(Kind kind, const std::string& text) {
-  if (kind == Kind::number)  // TOML has no whole number -0
+  if (kind == Kind::number)  // adding 0 turns -0 into 0, as TOML has no whole number -0
     if (const auto number = algebra::number_in(text)) return fmt::format("{}", *number + 0.);
   if (kind == Kind::whole) return text_of(whole_in<int>(text).value);
   if (kind == Kind::natural) return text_of(whole_in<std::size_t>(text).value);
@@ -218,7 +218,7 @@ std::string reason_of(const Parameters& all, const Parameter& parameter,
 std::vector<std::string> without_effect(const Parameters& parameters,
                                         const std::function<std::string(const Parameter&)>& spelt,
                                         const std::function<bool(const Parameter&)>& asked) {
-  std::vector<std::pair<std::string, std::string>> names;  // reason, parameters
+  std::vector<std::pair<std::string, std::string>> names;  // reason; its parameters
   for (const auto& parameter : parameters) {
     if (!parameter.given || !asked(parameter)) continue;
     const auto reason = reason_of(parameters, parameter, spelt);

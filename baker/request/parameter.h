@@ -17,15 +17,15 @@
 
 namespace coppermoon::request {
 
-/// Kind of the values that a parameter takes.
+/// The kind of value that a parameter takes.
 enum class Kind {
   number,    ///< a number
   whole,     ///< a whole number
   natural,   ///< a whole number, 0 or more
   word,      ///< one of `Parameter::words`
   on_off,    ///< "on" or "off"
-  presence,  ///< "true", or no value: a flag without one
-  text,      ///< text that `Parameter::meaning` explains
+  presence,  ///< a flag that is given without a value
+  text,      ///< any other text, explained in `Parameter::meaning`
   file_read,
   file_written,
   folder_written
@@ -33,14 +33,14 @@ enum class Kind {
 
 /// The earliest stage of the work that a parameter affects; all later stages are affected too.
 enum class Affects {
-  photons,  ///< photons traced, and the light computed from them
-  light,    ///< light on the Moon
-  ground,   ///< the Moon's ground, its texture, or the moment
-  sight,    ///< air between the Moon and the observer, in textures and frames
-  frame,    ///< position and field of the camera, in frames
-  picture,  ///< exposure and development, in pictures
-  share,    ///< which part of the work this run does
-  run       ///< where results go, and how a run is reported
+  photons,  ///< tracing photons and computing light from them
+  light,    ///< the light that reaches the Moon
+  ground,   ///< the Moon's surface, the texture, or the moment
+  sight,    ///< the air between the Moon and the observer
+  frame,    ///< the camera's position and field of view
+  picture,  ///< exposure and development of pictures
+  share,    ///< which share of the work this run does
+  run       ///< where results are written and how progress is reported
 };
 
 /// Lowest and highest value allowed.
@@ -50,83 +50,84 @@ struct Range {
 
 using Texts = std::vector<std::string>;
 
-/// Error for a text that is not a value of its parameter's kind, or not one of the words allowed.
+/// Error for a text that is not of the parameter's kind, or is not one of the allowed words.
 struct UnknownWord : algebra::Error {
   using algebra::Error::Error;
 };
 
 class Parameters;
 
-/// Condition on another parameter of a request: that it has a value, or one of certain values.
+/// A condition that another parameter must meet: to have any value, or one of several values.
 struct Condition {
   std::string name;  ///< name of the other parameter
-  /// Values that meet it; in a list with commas, any part may match. ".png" is the ending of a file's name. If empty,
-  /// any value meets it.
+  /// Values that meet the condition; if empty, any value does. If the parameter's value is a list separated by commas,
+  /// one matching part is enough. A value such as ".png" matches all texts with this ending.
   Texts values{};
 };
 using Conditions = std::vector<Condition>;
 
-/// How a parameter's effect depends on other parameters. Parameters that a command does not have are ignored.
+/// How other parameters decide whether a parameter has an effect. Those that a command does not have are ignored.
 struct Relation {
   bool
-      needed;  ///< true: has an effect only if one of the conditions holds; false: only if none does
+      needed;  ///< if true, one of the conditions must hold to have an effect; if false, none may hold
   Conditions conditions;
-  Texts of{};  ///< values of the parameter itself that this applies to; empty: all
+  Texts of{};  ///< values of the parameter to which this applies; if empty, all
 };
 
-/// One parameter of a request, bound to the field that holds its value.
+/// One parameter of a request, bound to the variable that holds its value (its field).
 ///
-/// All values pass through text: a number is spelt so that it reads back as the same number.
+/// Values are passed as text. A number is written so that reading it gives exactly the same number.
 struct Parameter {
-  std::string name;  ///< "ozone-du": its flag without dashes, its key in a recipe
-  /// Spellings of its flag, such as "-o,--output"; just the name if the flag is "--" and the name
+  std::string name;  ///< such as "ozone-du": the flag without dashes, and the key in recipes
+  /// All spellings of the flag, such as "-o,--output"; only the name if the flag is "--" followed by the name
   std::string spelling;
   Kind kind = Kind::text;
-  std::string meaning;  ///< explanation for help, docstrings and tables, with unit and range
+  std::string meaning;  ///< explanation for users, with unit and range
   std::optional<Range> range{};
   Texts words{};
-  /// Endings allowed for a file to write, and what each holds. If empty, `meaning` names them.
+  /// Allowed endings of a file to be written, each with the file's content. If empty, `meaning` names them.
   std::vector<std::pair<std::string, std::string>> endings{};
-  std::string usual{};    ///< default, the field's initial value; empty if none
-  std::string heading{};  ///< heading in help, only for readers
-  std::string table{};    ///< table in a recipe, such as "camera"; empty: above all tables
+  std::string usual{};    ///< default, which is the field's initial value; empty if none
+  std::string heading{};  ///< heading under which help lists the parameter
+  std::string table{};    ///< TOML table in recipes, such as "camera"; empty if in none
   Affects affects = Affects::ground;
-  bool planned = false;  ///< replaced in the result's recipe by what the plan chose
-  bool many = false;     ///< may be given several times, and every value counts
+  bool planned = false;  ///< in a result's recipe, replaced by the value that was chosen
+  bool many = false;     ///< may be given several times, and all values count
   bool is_required = false;
-  Texts excluded{};                     ///< names of parameters that it cannot be combined with
-  std::shared_ptr<Parameters> parts{};  ///< parts of a value "name=text,name=text", if it has any
-  std::vector<Relation> relations{};    ///< decide whether it has an effect
-  std::optional<Texts> given{};         ///< texts that the caller gave, as a recipe spells them
+  Texts excluded{};                     ///< parameters with which it cannot be combined
+  std::shared_ptr<Parameters> parts{};  ///< parts, if values are like "name=text,name=text"
+  std::vector<Relation> relations{};    ///< decide whether the parameter has an effect
+  std::optional<Texts> given{};         ///< texts that the user gave, as recipes spell them
 
   std::function<Texts()> read{};  ///< returns the field's value as texts
   /// Sets the field; throws algebra::Error for texts that are not allowed
   std::function<void(const Texts&)> write{};
   std::function<void()> restore{};  ///< restores the field's initial value
-  /// Text as recipes spell it, used in place of `spelt`: "10" for "10s". Throws algebra::Error for a text not allowed
+  /// Spells a text as recipes do, such as "10" for "10s". If empty, the function `spelt` does. Throws algebra::Error
+  /// for a text that is not allowed
   std::function<std::string(const std::string&)> respelt{};
 
-  /// The texts that were given, else those of the field's value.
+  /// The texts that the user gave, or else the field's value as texts.
   Texts texts() const { return given ? *given : read(); }
 
-  /// Whether its value may stand on a command line without a flag, as the instant may.
+  /// Whether the value may be given on a command line without a flag, like the instant.
   bool is_positional() const {
     return spelling.front() != '-' && spelling.find(',') != std::string::npos;
   }
 
-  /// The last of `texts`; empty if there is no value.
+  /// The parameter's value as text, or the last one if it has several; empty if it has none.
   std::string text() const;
 
-  /// Whether there is a value, given or the field's own.
+  /// Whether the parameter has a value, either given by the user or in its field.
   bool has_value() const { return !texts().empty(); }
 
   /// Sets the field from the texts of a flag, a recipe or a Python argument.
   ///
-  /// Throws  UnknownWord     for a text that is not a value of its kind, or not one of the words
-  ///         algebra::Error  for a text that is not allowed, such as a number outside the range
+  /// Throws  UnknownWord     for a text that is not of the parameter's kind, or is not one of the allowed words
+  ///         algebra::Error  for any other text that is not allowed, such as a number outside the range
   void take(const Texts& texts);
 
-  /// Forgets the texts that were given.
+  /// Forgets the texts that the user gave, and restores the field's initial value.
   void reset();
 
   Parameter& in(std::string title) { return heading = std::move(title), *this; }
@@ -138,7 +139,7 @@ struct Parameter {
   Parameter& excludes(std::string other) { return excluded.push_back(std::move(other)), *this; }
   Parameter& reads_file() { return as(Kind::file_read); }
   Parameter& writes_file() { return as(Kind::file_written).of(Affects::run); }
-  /// Its value names a file to write, in one of the formats in a table.
+  /// Declares that the value names a file to be written, in one of the given formats.
   template <class Formats>
   Parameter& writes_file(const Formats& formats) {
     for (const auto& format : formats) endings.emplace_back(format.ending, format.help);
@@ -149,39 +150,41 @@ struct Parameter {
   Parameter& spelt_by(std::function<std::string(const std::string&)> how) {
     return respelt = std::move(how), *this;
   }
-  /// Has an effect only if one of the conditions holds; `own`: this applies only to these values of its own.
+  /// Declares that the parameter has an effect only if one of the conditions holds. If `own` lists values of this
+  /// parameter, that applies to them only.
   Parameter& only_with(Conditions any, Texts own = {}) {
     return relations.push_back({true, std::move(any), std::move(own)}), *this;
   }
-  /// Has no effect if one of the conditions holds; `own`: this applies only to these values of its own.
+  /// Declares that the parameter has no effect if one of the conditions holds. If `own` lists values of this parameter,
+  /// that applies to them only.
   Parameter& not_beside(Conditions any, Texts own = {}) {
     return relations.push_back({false, std::move(any), std::move(own)}), *this;
   }
 };
 
-/// Whether the recipe of a result includes a parameter.
+/// Whether a parameter is included in a result's recipe.
 inline bool in_recipes(const Parameter& parameter) { return parameter.affects < Affects::share; }
 
-/// Whether values of a kind are numbers in TOML, JSON and Python.
+/// Whether values of this kind are numbers in TOML, JSON and Python.
 inline bool is_number(Kind kind) {
   return kind == Kind::number || kind == Kind::whole || kind == Kind::natural;
 }
 
-/// Whether values of a kind name a file or folder to write.
+/// Whether values of this kind name a file or folder to be written.
 inline bool is_written(Kind kind) {
   return kind == Kind::file_written || kind == Kind::folder_written;
 }
 
-/// Unit that the meaning of a number gives in brackets, such as "km" in "step of a path [km]"; empty if none.
+/// The unit in brackets in a numeric parameter's meaning: "km" in "step of a path [km]". Empty if there is none.
 std::string unit_of(const Parameter& parameter);
 
-/// Why a text is not a value of a kind, such as "1.5, allowed whole numbers"; empty if it is one.
+/// Why a text is not a value of the given kind, such as "1.5, allowed whole numbers"; empty if it is valid.
 std::string fault_in(Kind kind, const std::string& text);
 
-/// The text as recipes spell it: equal numbers are spelt alike however they were given.
+/// A text as recipes spell it. Equal numbers are spelt alike, however the user wrote them.
 std::string spelt(Kind kind, const std::string& text);
 
-/// A value as recipes write it; read_text reads it back.
+/// A value as text for recipes, which read_text can read.
 std::string text_of(double value);
 std::string text_of(int value);
 std::string text_of(std::size_t value);
@@ -193,7 +196,7 @@ void read_text(const std::string& text, std::size_t& value);
 inline void read_text(const std::string& text, std::string& value) { value = text; }
 inline void read_text(const std::string& text, std::filesystem::path& value) { value = text; }
 
-/// Name in a spelling: "ozone-du", "output", "instant" for "ozone-du", "-o,--output", "instant,--instant".
+/// The parameter's name in its spelling: "output" for "-o,--output", "ozone-du" for "ozone-du".
 std::string name_in(std::string_view spelling);
 
 constexpr Kind kind_of(double) { return Kind::number; }
@@ -208,7 +211,7 @@ constexpr Kind kind_of(const std::optional<Value>&) {
   return kind_of(Value{});
 }
 
-/// A field's value as texts; empty if it has none. `put` reads them back.
+/// A field's value as texts, which `put` can read; empty if the field has no value.
 template <class Value>
 Texts texts_of(const Value& value) {
   auto text = text_of(value);
@@ -263,7 +266,7 @@ Parameter parameter(const std::string& spelling, Value& value, std::string meani
   return made;
 }
 
-/// A parameter whose text is read by a function, such as "2s" or "42.86,-73.77".
+/// A parameter whose text, such as "2s" or "42.86,-73.77", is parsed by a function of the caller.
 ///
 /// Given  read   returns the field's value as text; empty if it has none
 ///        write  sets the field from a text; throws algebra::Error for a text that it cannot read
@@ -279,12 +282,12 @@ Parameter parsed(const std::string& spelling, Value& value, std::function<std::s
 template <class Value>
 using Words = std::vector<std::pair<std::string, Value>>;
 
-/// Index of a text among a parameter's words.
+/// Index of a text in the list of words that a parameter accepts.
 ///
 /// Throws  algebra::Error  if the text is none of the words; the message lists them
 std::size_t word_in(const Texts& words, const std::string& name, const std::string& text);
 
-/// Word that stands for a value; empty if none does.
+/// The word that stands for a value; empty if there is no such word.
 template <class Value, class Field>
 std::string word_for(const Words<Value>& words, const Field& field) {
   for (const auto& [word, value] : words)
@@ -301,7 +304,7 @@ struct Held<std::optional<Field>> {
   using Value = Field;
 };
 
-/// A parameter whose value is one of several words; the field may be optional.
+/// A parameter whose value is one of several words. Its field may be a std::optional.
 template <class Field>
 Parameter choice(const std::string& spelling, Field& field,
                  const Words<typename Held<Field>::Value>& words, std::string meaning) {
@@ -324,13 +327,13 @@ Parameter on_off(const std::string& spelling, Switch& value, std::string meaning
   return choice(spelling, value, Words<bool>{{"on", true}, {"off", false}}, std::move(meaning));
 }
 
-/// A flag without a value.
+/// A parameter that is a flag without a value.
 Parameter presence(const std::string& spelling, bool& value, std::string meaning);
 
-/// Parameters in the order of help. The fields that they are bound to must not move while the parameters are in use.
+/// A list of parameters, in the order in which help shows them. Their fields must not move while the list is in use.
 class Parameters {
  public:
-  /// Sets the heading, the recipe's table and the stage affected for all parameters added from here on.
+  /// Sets the heading in help, the table in recipes and the stage affected, for all parameters that are added next.
   void begin(std::string heading, std::string table, Affects affects);
 
   Parameter& add(Parameter parameter);
@@ -347,25 +350,25 @@ class Parameters {
   auto end() const { return all_.end(); }
   std::size_t size() const { return all_.size(); }
 
-  /// A deque, so that addresses stay valid when more are added
+  // a deque, so that addresses stay valid when more are added
  private:
   std::deque<Parameter> all_;
   std::string heading_, table_;
   Affects affects_ = Affects::ground;
 };
 
-/// Which of the given parameters have no effect, such as "--sky, --glow: no effect without --camera", one line for each
-/// reason.
+/// Reports which parameters have no effect although the user gave them. There is one line for each reason, such as
+/// "--sky, --glow: no effect without --camera".
 ///
-/// Given  spelt  spells a parameter's name for the user
-///        asked  which parameters the user asked for, rather than a recipe that holds all values
+/// Given  spelt  returns a parameter's name as the user knows it
+///        asked  whether the user gave a parameter, rather than a recipe that lists all values
 std::vector<std::string> without_effect(const Parameters& parameters,
                                         const std::function<std::string(const Parameter&)>& spelt,
                                         const std::function<bool(const Parameter&)>& asked);
 
-/// Sets the parts of a value from a text such as "from-latitude=-90,to-latitude=0" and resets all other parts.
+/// Sets the parts that a text such as "from-latitude=-90,to-latitude=0" gives, and resets all other parts.
 ///
-/// Throws  algebra::Error  for a part that does not exist, or a value that is not allowed
+/// Throws  algebra::Error  if a part does not exist or a value is not allowed
 void take_parts(Parameters& parts, const std::string& text);
 
 }  // namespace coppermoon::request

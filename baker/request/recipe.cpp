@@ -15,7 +15,7 @@
 namespace coppermoon::request {
 namespace {
 
-/// Text as a quoted TOML string on a single line.
+/// A text as a quoted TOML string on a single line.
 std::string quoted(const std::string& text) {
   const bool plain = std::ranges::none_of(text, [](char c) { return c >= 0 && c < ' '; });
   std::ostringstream literal;
@@ -24,10 +24,10 @@ std::string quoted(const std::string& text) {
   return literal.str();
 }
 
-/// Whether TOML can hold the text as a number: its integers end at 2^63, and it has no fractions such as 24000/1001.
+/// Whether TOML can hold a value without quotes. Its integers end at 2^63, and it has no fractions such as 24000/1001.
 bool is_bare(const Parameter& parameter, const std::string& text) {
   if (parameter.kind == Kind::presence) return true;
-  if (parameter.name == "field") return fault_in(Kind::number, text).empty();  // or "moon"
+  if (parameter.name == "field") return fault_in(Kind::number, text).empty();  // not for "moon"
   return is_number(parameter.kind) && fault_in(parameter.kind, text).empty() &&
          !(parameter.kind == Kind::natural && std::stoull(text) >> 63);
 }
@@ -56,7 +56,7 @@ std::string value_of(const Setting& setting) {
   return values.size() == 1 ? values[0] : fmt::format("[{}]", fmt::join(values, ", "));
 }
 
-/// Value for readers: "300"; if it has parts, "from-latitude = -90; to-latitude = 0".
+/// A setting's value as shown to users, such as "300" or, with parts, "from-latitude = -90; to-latitude = 0".
 std::string in_words(const Setting& setting) {
   std::vector<std::string> words;
   for (const auto& value : setting.parts)
@@ -124,7 +124,7 @@ Recipe settings_in(const toml::table& entries, const std::string& file, const st
   return all;
 }
 
-/// Length of a quoted TOML string with its quotes [bytes]: single quotes on one line, or triple quotes over several.
+/// Length of the quoted TOML string at the start of a text [bytes], with its single or triple quotes.
 std::size_t quoted_length(std::string_view text) {
   const char quote = text.front();
   const std::string three(3, quote);
@@ -137,14 +137,14 @@ std::size_t quoted_length(std::string_view text) {
   return std::min(end, text.size());
 }
 
-/// Length of the next token [bytes]: a quoted text, a comment, or one character.
+/// Length of the first token in a text [bytes]. A token is a quoted string, a comment, or a single character.
 std::size_t token_length(std::string_view text) {
   if (text.front() == '"' || text.front() == '\'') return quoted_length(text);
   return text.front() == '#' ? std::min(text.find('\n'), text.size()) : 1;
 }
 
-/// Refuses names with many parts: `a.b.c` makes a table in a table in a table, which toml++ visits by recursion, so
-/// that very many parts would overflow the stack.
+/// Refuses names with many parts. A name such as `a.b.c` makes nested tables, which toml++ visits by recursion, so that
+/// too many parts would overflow the stack.
 void require_short_names(const std::string& file, std::string_view text) {
   constexpr std::ptrdiff_t most_parts = 16;
   constexpr std::string_view of_names =
@@ -175,7 +175,7 @@ toml::table parsed(const std::string& text, const std::string& file) {
   }
 }
 
-/// Removes from a recipe the line of a setting whose text is not in quotes, and returns the setting.
+/// Removes a setting from a recipe's text and returns it. Its value, up to the end of the line, is not in quotes.
 Setting taken_from(std::string& text, const std::string& name) {
   const auto key = name + " = ";
   auto begin = text.starts_with(key) ? 0 : text.find("\n" + key);

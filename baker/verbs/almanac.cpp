@@ -43,7 +43,7 @@ std::vector<Contact> contact_columns(const eclipse::Eclipse& e) {
   return {{"P1", c.P1}, {"U1", c.U1}, {"U2", c.U2}, {"U3", c.U3}, {"U4", c.U4}, {"P4", c.P4}};
 }
 
-/// Times at which the umbra's edge crosses a feature.
+/// A feature on the Moon, and the times at which the umbra's edge crosses it.
 struct Crossing {
   almanac::SelenographicPoint place;
   eclipse::FeatureTimes times;
@@ -58,13 +58,13 @@ void describe(Field&& is, const Crossing& crossing) {
   describe_times(is, crossing.times);
 }
 
-/// An eclipse in the list, with whatever else is asked for.
+/// An eclipse in the printed list, with the optional results that the user asked for.
 struct Listed {
   eclipse::Eclipse eclipse;
   std::optional<uses::MoonBrightness> brightness{};  ///< at greatest eclipse
   std::optional<Crossing> feature{};
-  std::optional<uses::Circumstances> night{};  ///< at the observer's place
-  std::optional<std::string> seen{};           ///< first and last contact seen there
+  std::optional<uses::Circumstances> night{};  ///< as seen from the observer's place
+  std::optional<std::string> seen{};           ///< first and last contact seen from there
 };
 
 template <class Field>
@@ -94,7 +94,7 @@ void describe(Field&& is, const Listed& listed) {
   is("feature", listed.feature, "when the umbra's edge crosses the feature, with --feature");
 }
 
-/// An eclipse as a row of a table in which every row has all columns.
+/// An eclipse as a row of a table in which all rows have the same columns.
 struct Row {
   Listed listed;
 };
@@ -110,7 +110,6 @@ void describe(Field&& is, const Row& row) {
   if (brightness) describe_brightness(is, row.listed);
 }
 
-/// The eclipses that the command prints.
 struct EclipseList {
   std::vector<Listed> eclipses;
   almanac::Calendar calendar;
@@ -123,7 +122,7 @@ std::string time_of_day(const std::optional<almanac::Instant>& when) {
   return when ? almanac::time_of_day_text(*when) : "-";
 }
 
-/// Today's date some years later, as text; the default span is from today to ten years later.
+/// Today's date, moved forward by the given number of years, as text.
 std::string today(int years_later, almanac::Calendar calendar) {
   const auto now = std::chrono::year_month_day(
       std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));
@@ -164,13 +163,13 @@ void print(const Listed& listed, std::size_t width) {
 }
 
 void print(const EclipseList& list, bool brightness) {
-  std::size_t width = 21;  // for a year without a sign, and a space
+  std::size_t width = 21;  // room for a date without a sign, and a space
   for (const auto& each : list.eclipses) width = std::max(width, greatest(each).size() + 1);
   print_heading(list, brightness, width);
   for (const auto& each : list.eclipses) print(each, width);
 }
 
-/// First and last moment of the time that the list covers.
+/// First and last moment of the span of time that the list covers.
 std::pair<std::string, std::string> span_of(const Options& options) {
   if (options.year) {
     algebra::require_within("year", *options.year, -1999, 3000);

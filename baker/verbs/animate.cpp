@@ -87,7 +87,7 @@ void light_up(uses::Film& film, bool replace, const FilmProgress& progress) {
                  std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
-/// Traces one shard of the film's photons.
+/// Traces the photons of one shard of the film's light.
 void trace(const uses::Film& film, const uses::Shard& shard) {
   ProgressBar bar("light");
   trace_shard(film, shard, bar.progress());
@@ -104,7 +104,7 @@ void write_job(const Verb& verb, const uses::Film& film, const uses::Shard& shar
   files::write_whole(file, film_job(verb, film, file));
 }
 
-/// Says on stderr how many Moons the picture of a fixed camera cuts off or misses, and which aim and field hold all.
+/// Warns on stderr if a fixed camera cuts off or misses the Moon in some frames, and suggests a better aim and field.
 void say_which_are_outside(const uses::Film& film) {
   if (!film.view.aim || !film.products.framed()) return;
   const auto view = fixed_view(film);
@@ -118,7 +118,7 @@ void say_which_are_outside(const uses::Film& film) {
                       : "no picture holds all");
 }
 
-/// Says on stderr if the Moon cannot be seen in the twilight of the first or last frame, and when it can.
+/// Warns on stderr if twilight makes the Moon invisible in the first or last frame, and says when it is visible.
 void say_when_seen(const uses::Film& film) {
   const auto& place = film.view.observer;
   if (!place || film.view.sky_cd_m2 || !film.products.framed()) return;
@@ -131,7 +131,7 @@ void say_when_seen(const uses::Film& film) {
   }
 }
 
-/// Lists the files that this run would write, including those of every frame if the light is not available yet.
+/// Lists the files that this run would write. If the light has not been computed yet, no frame counts as made.
 void list(uses::Film film, const std::vector<std::size_t>& frames, const uses::FilmFiles& files,
           bool replace, FilmProgress& progress) {
   if (!replace && std::filesystem::is_directory(film.folder)) require_own(film, false);

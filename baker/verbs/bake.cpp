@@ -41,23 +41,22 @@ namespace {
 struct Options {
   MoonOptions moon;
   uses::TextureContent texture;
-  uses::ViewRequest view;  ///< only the observer and the air above
+  uses::ViewRequest view;  ///< of which only the observer and the air above are used
   uses::Development develop;
   std::vector<std::string> outputs;
-  std::string cache;  ///< folder of kept textures; empty if not used
+  std::string cache;  ///< folder in which textures are kept; empty if not used
   bool json = false;
 };
 
 struct Job;
 
-/// Format for a texture's file.
 struct Format : files::Ending {
   void (*write)(const Job& job);
-  bool developed = false;  ///< holds a developed picture of the texture
-  bool on_globe = false;   ///< shows the picture on a sphere
+  bool developed = false;  ///< the file holds a developed picture of the texture
+  bool on_globe = false;   ///< the file shows the picture on a sphere
 };
 
-/// A file to write, and its content.
+/// A file to write, with its content and format.
 struct Output {
   std::filesystem::path path;
   uses::TextureContent content;
@@ -65,7 +64,7 @@ struct Output {
 
   bool ends_in(const char* ending) const { return format.ending == ending; }
   bool for_stellarium() const { return ends_in(".stellarium"); }
-  /// Whether it is a sphere in cd/m². A name with linear Rec.709 asks for it, as glTF knows no other linear space.
+  /// Whether the file is a glTF sphere in cd/m², which is chosen by a name such as moon_lin_rec709.glb.
   bool in_cd_m2() const {
     return ends_in(".glb") &&
            colour::space_in_name(path.stem().string()) == colour::WorkingSpace::linear_rec709;
@@ -73,7 +72,7 @@ struct Output {
   bool developed() const { return format.developed && !in_cd_m2(); }
 };
 
-/// An output, and everything from which its file is made.
+/// One of the outputs, and everything that is needed to write it.
 struct Job {
   const Options& options;
   const std::vector<Output>& outputs;
@@ -84,7 +83,7 @@ struct Job {
   const texture::Part& texture() const { return made.parts.front(); }
 };
 
-/// Texture to develop. Developing reads its rows twice, so they are kept in memory if they take 256 MB or less.
+/// Texture to be developed. Its rows are kept in memory if they need at most 256 MB, because they are read twice.
 uses::LitTexture lit_texture(const Job& job) {
   constexpr std::size_t most_kept = 256U << 20U;
   const auto& layout = job.texture().layout;
@@ -98,7 +97,7 @@ uses::LitTexture lit_texture(const Job& job) {
   return texture;
 }
 
-/// Developed picture of a texture, whose rows are made on demand.
+/// Developed picture of a texture. Its rows are computed when they are needed.
 struct Shown {
   texture::Layout layout;
   texture::Rows rows;
@@ -165,7 +164,7 @@ constexpr std::array formats{
     Format{{".usdz", "developed, on a sphere, for telephones"}, write_usdz, true, true},
     Format{{".stellarium", "a folder for Stellarium, needs --at"}, write_stellarium, true}};
 
-/// Output for a file name. A colour space in the name is honoured.
+/// Output for a file name. If the name contains a colour space, the output has that colour space.
 Output output_at(const std::string& file, const uses::TextureContent& asked) {
   Output output{file, asked, files::format_of(file, formats, "a texture")};
   output.content.space = space_for(file, asked.space);
@@ -175,7 +174,7 @@ Output output_at(const std::string& file, const uses::TextureContent& asked) {
   return output;
 }
 
-/// The texture in a colour space beside a .usda, if there is one among the outputs.
+/// The .exr output with a given colour space in the folder of a .usda; the end of `outputs` if there is none.
 std::vector<Output>::const_iterator texture_for(const Output& scene, colour::WorkingSpace space,
                                                 const std::vector<Output>& outputs) {
   return std::ranges::find_if(outputs, [&](const Output& output) {
@@ -184,10 +183,10 @@ std::vector<Output>::const_iterator texture_for(const Output& scene, colour::Wor
   });
 }
 
-/// Adds the .exr files that a .usda needs if the user did not name them: one in linear Rec.709, because
-/// its preview surface knows no colour spaces, and one in ACEScg if that is asked for.
+/// Adds the .exr outputs that a .usda needs but the user did not name. It needs one in linear Rec.709, because its
+/// preview surface knows no other colour space, and one in ACEScg if that is the requested space.
 ///
-/// Throws  Error  if one of them would overwrite a file that is not ours
+/// Throws  Error  if one of them would overwrite a file that coppermoon did not make
 void add_textures_of_usd(const Options& options, std::vector<Output>& outputs) {
   const auto named = outputs;
   for (const auto& scene : named) {
@@ -205,15 +204,16 @@ void add_textures_of_usd(const Options& options, std::vector<Output>& outputs) {
   }
 }
 
-/// Memory for a file that is not written row by row [bytes]: for a mip-map its smaller levels, for a sphere the picture
-/// and its PNG, else none. At 8192 columns these were measured as 0.7 and 2.1 times the size of all texels as floats.
+/// Memory needed to write a file [bytes]. A mip-map needs it for its smaller levels, and a sphere for the picture and
+/// its PNG. Measured at 8192 columns, these take 0.7 and 2.1 times the size of all texels as floats. Other formats are
+/// written row by row and need none.
 double memory_for(const Output& output, double texture_width) {
   constexpr double a_texel = 3 * sizeof(float);
   const double all = a_texel * texture_width * texture_width / 2;
   return output.format.on_globe ? 2.5 * all : output.ends_in(".tx") ? 0.75 * all : 0;
 }
 
-/// Refuses a path at which the output cannot be written. Existing files will be replaced, folders kept.
+/// Throws if an output cannot be written at its path. If a file exists there, it will be replaced.
 void require_place_for(const Output& output) {
   const bool folder = std::filesystem::is_directory(output.path);
   if (output.for_stellarium() && folder) return texture::require_stellarium_place(output.path);
@@ -244,7 +244,7 @@ void require_sound(const Options& options, const std::vector<Output>& outputs) {
     throw algebra::Error("passes and spectra need an output that ends in .exr");
 }
 
-/// Recipe for one output: with its own colour space, and with passes or spectra only if it has some.
+/// Recipe to record in one output. It has that output's colour space, and lacks passes or spectra if the output does.
 request::Recipe recipe_for(const uses::TextureContent& content, const request::Recipe& recipe) {
   auto own = with({{.name = "space",
                     .texts = {fmt::format("\"{}\"", colour::name(space_of(content)))},
@@ -273,7 +273,7 @@ void write_usda(const Job& job) {
       texture::usd_observer({&sight, 1}, height_over_width, uses::luminance_of_channels(space)));
 }
 
-/// The lit Moon that the options describe, as seen by their observer.
+/// Computes the lit Moon that the options describe, as their observer sees it.
 uses::LitMoon lit_moon(const Options& options, const uses::MoonRequest& request) {
   const texture::ImagesAhead images;
   const auto sky = eclipsed_sky(options.moon, options.view.observer);
@@ -287,7 +287,7 @@ uses::LitMoon lit_moon(const Options& options, const uses::MoonRequest& request)
   return moon;
 }
 
-/// Bakes all outputs, each with its own recipe.
+/// Bakes and writes all outputs, and records in each the recipe that makes it.
 Report make(const Verb& verb, const Options& options, const std::vector<Output>& outputs) {
   const auto start = std::chrono::steady_clock::now();
   const auto request = moon_request(options.moon);
@@ -309,7 +309,7 @@ Report make(const Verb& verb, const Options& options, const std::vector<Output>&
   return made;
 }
 
-/// The texture in the cache for these options. Its file name is a fingerprint of everything that it depends on.
+/// Output for the cached texture of these options. Its file name is a fingerprint of all that the texture depends on.
 Output place_in_cache(const Verb& verb, const Options& options) {
   const auto depends_on = fmt::format("{}\n{}\n{}", uses::version(), recipe_of(verb),
                                       map_contents(moon_request(options.moon)));
@@ -321,18 +321,19 @@ Output place_in_cache(const Verb& verb, const Options& options) {
           content, formats[1]};
 }
 
-/// Whether a texture exists, is complete, and does not belong to another user.
+/// Whether a texture in the cache exists, is complete, and does not belong to another user.
 bool is_kept(const std::filesystem::path& texture) {
   return files::is_users_own(texture) && texture::is_sealed(texture);
 }
 
-/// Prints the path of the texture in the cache. The first process bakes it, others wait. The map is read before the
-/// lock is taken, because reading the map may bake another texture in the same folder.
+/// Prints the path of the cached texture for these options, after baking it if it is missing. If several processes need
+/// the same texture, the first one bakes it and the others wait. The map is read before the texture's file is locked,
+/// because reading it may bake another texture in the same folder.
 void run_with_cache(const Verb& verb, const Options& options) {
   require_sound(options.texture);
   files::make_private_folder(options.cache);
   std::optional<double>
-      limit_gb;  // only for the usual cache, since scenes may rely on textures elsewhere
+      limit_gb;  // only for the usual cache, because scenes may rely on textures in other folders
   if (files::is_usual_cache(options.cache)) limit_gb = cache_limit_gb();
   const auto output = place_in_cache(verb, options);
   if (!is_kept(output.path)) {
@@ -341,7 +342,7 @@ void run_with_cache(const Verb& verb, const Options& options) {
                  output.path.string());
     });
     if (!is_kept(output.path)) {
-      std::filesystem::remove(output.path);  // otherwise a link would be followed
+      std::filesystem::remove(output.path);  // otherwise writing would follow a link
       make(verb, options, {output});
     }
   }
@@ -384,7 +385,7 @@ void add_bake(Program& program) {
       "folder of textures: the texture is baked into it as .tx, unless it is there already, and "
       "its path is printed")
       .writes_folder()
-      .excludes("shard")  // these change what is traced and what is written
+      .excludes("shard")  // these three flags change what is traced and written
       .excludes("keep")
       .excludes("add");
   add_described(verb, options->view, uses::describe_observer);

@@ -29,8 +29,8 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
   MoonOptions moon;
-  uses::ViewRequest view;  ///< only the observer and the air above
-  std::string from, to;    ///< span of a light curve; both empty: one moment
+  uses::ViewRequest view;  ///< of which only the observer and the air above are used
+  std::string from, to;    ///< span of a light curve; for one moment, both are empty
   double step_min = 5;
   std::vector<std::string> outputs;
   bool json = false, csv = false;
@@ -38,7 +38,7 @@ struct Options {
   bool over_time() const { return !from.empty() || !to.empty(); }
 };
 
-/// The Moon at one moment as a row of a table: above the air, or as seen from a place.
+/// A row of the table for one moment. It shows the Moon as it is above the air or, if `seen` is set, from a place.
 struct Row {
   const uses::MoonBrightness& moon;
   const uses::BrightnessSeen* seen;
@@ -60,7 +60,7 @@ void describe(Field&& is, const Row& row) {
   uses::describe_light(is, disc);
 }
 
-/// A light curve, its eclipse, and the place from which it is seen.
+/// A light curve of the Moon, with its eclipse and the place from which the Moon is seen.
 struct Curve {
   eclipse::Eclipse eclipse;
   std::optional<std::string> place;
@@ -75,7 +75,7 @@ void describe(Field&& is, const Curve& curve) {
   is("moments", curve.light.moments, "the moments, in order of time");
 }
 
-/// Brightness at one moment, or over time.
+/// Result of the command: brightness either at one moment or over time.
 struct Told {
   std::optional<uses::MoonBrightness> moment;
   std::optional<Curve> curve;
@@ -115,7 +115,7 @@ uses::FilmTimes times_of(const Options& options) {
   return verbs::times_of(film, options.view);
 }
 
-/// Adds local times in the time zone that is asked for.
+/// Adds local times to a light curve if the user asked for a time zone.
 void add_local_times(uses::LightCurve& curve, const Options& options) {
   const auto& [text, calendar, asked] = options.moon.moment;
   const bool of_place = asked == "local" && options.view.observer;
@@ -154,7 +154,7 @@ const Writers<Told>& writers() {
   return all;
 }
 
-/// Refuses to plot a single moment.
+/// Throws if a plot is requested for a single moment.
 void require_curve_for_plots(const Options& options) {
   if (options.over_time()) return;
   for (const auto& format : uses::plot_files())

@@ -35,7 +35,7 @@ double days_since(std::filesystem::file_time_type then) {
   return std::chrono::duration<double, std::ratio<86400>>(past).count();
 }
 
-/// Moment of a texture in UTC, from DateTime in its header ("2018:07:27 19:40:17"); empty if it cannot be read.
+/// The moment that a texture shows, in UTC, read from DateTime in its header; empty if it cannot be read.
 std::string moment_of(const KeptFile& file) {
   try {
     auto text = texture::read_attribute(file.path, "DateTime").value_or("");
@@ -48,7 +48,7 @@ std::string moment_of(const KeptFile& file) {
   }
 }
 
-/// A texture that is kept or was removed.
+/// A texture that is in the cache or was just removed from it.
 struct Texture {
   KeptFile file;
   bool stays = true;
@@ -70,7 +70,7 @@ void describe(Field&& is, const Texture& texture) {
      "its moment, UTC; empty where its header has none");
 }
 
-/// The cache folder, with the textures in it or those removed from it.
+/// The cache folder, with the textures that it holds or, after a removal, with those that were removed.
 struct Folder {
   std::string path;
   std::vector<Texture> textures;

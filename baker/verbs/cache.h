@@ -5,13 +5,14 @@
 
 namespace coppermoon::verbs {
 
-/// Size above which `bake --cache` removes the least recently used textures from the usual cache [GB]: the value of the
-/// variable COPPERMOON_CACHE_LIMIT, or 20.
+/// Size above which `bake --cache` removes the least recently used textures from the usual cache [GB]. It is the value
+/// of the environment variable COPPERMOON_CACHE_LIMIT or, if that is not set, 20.
 ///
 /// Throws  Error  if the variable is not a number of 0 or more
 double cache_limit_gb();
 
-/// Textures used after this time stay even in a cache that is too large, since an open scene may still show them.
+/// The time one day ago. Textures used since then are kept even if the cache is too large, because an open scene may
+/// still show them.
 std::filesystem::file_time_type a_day_ago();
 
 }  // namespace coppermoon::verbs

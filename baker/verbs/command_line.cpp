@@ -26,13 +26,13 @@ namespace {
 using request::Kind, request::Parameter, request::Texts;
 using Words = std::vector<std::string>;
 
-/// A parameter, and the texts that a command line gives for it.
+/// A parameter, and the values given for it on the command line, as text.
 struct Typed {
   Parameter* parameter;
   Texts texts;
 };
 
-/// A command line that is being read, word by word.
+/// A command line, and how far it has been read.
 struct Line {
   Verb& verb;
   const Words& words;
@@ -46,7 +46,7 @@ struct Line {
     const auto known = std::ranges::find(typed, &parameter, &Typed::parameter);
     return (known == typed.end() ? typed.emplace_back(Typed{&parameter, {}}) : *known).texts;
   }
-  /// Takes the next word. A day and the contact or time after it, such as "2018-07-27" and "U2+10min", count as one.
+  /// Takes the next value. A day with a contact or time after it, as in "2018-07-27 U2+10min", is a single value.
   std::string value() {
     auto value = words[next++];
     if (!at_end() && eclipse::is_day(value) && eclipse::is_contact_or_time(words[next]))
@@ -71,7 +71,7 @@ WrongUsage unknown_short(const Verb& verb, const std::string& name) {
                                 : fmt::format("files are named by {}", fmt::join(flags, ", "))));
 }
 
-/// Advice at the end of the error message for an unknown flag.
+/// Advice to append to the error message about an unknown flag.
 std::string way_out_for(const std::string& flag, const Verb& verb) {
   if (flag == "verbose" || flag == "progress")
     return "; progress is shown wherever the output is a terminal";
@@ -87,7 +87,7 @@ WrongUsage unknown(const Verb& verb, const std::string& flag) {
   return WrongUsage(fmt::format("{}: unknown option of {}{}", flag, verb.name, way_out));
 }
 
-/// Reads a flag spelt like "--output FILE", "--output=FILE", "-o FILE", "-oFILE" or "--json".
+/// Reads a flag and its value, as in "--output FILE", "--output=FILE", "-o FILE", "-oFILE" or "--json".
 void read_flag(Line& line) {
   const auto word = line.words[line.next++];
   const bool is_long = word.starts_with("--");
@@ -97,7 +97,7 @@ void read_flag(Line& line) {
   if (parameter == nullptr) throw unknown(line.verb, flag);
   auto& texts = line.texts_of(*parameter);
   const bool has_sign = end < word.size() && word[end] == '=';
-  if (has_sign && end + 1 == word.size())  // else the next word would be its value
+  if (has_sign && end + 1 == word.size())  // or the next word would become the value
     throw WrongUsage(fmt::format("{}: a value is missing behind the =", flag));
   if (end < word.size()) return texts.push_back(word.substr(has_sign ? end + 1 : end));
   if (parameter->kind == Kind::presence) return texts.push_back("true");
@@ -108,7 +108,7 @@ void read_flag(Line& line) {
     texts.push_back(line.value());
 }
 
-/// Reads the value of a parameter whose flag may be left out, such as the instant.
+/// Reads a value that stands alone, for a parameter whose flag may be left out, such as --instant.
 void read_positional(Line& line) {
   auto value = line.value();
   for (auto& parameter : line.verb.parameters)
@@ -131,7 +131,7 @@ Line line_of(Verb& verb, const Words& words) {
   return line;
 }
 
-/// If a file made by coppermoon stands in the place of the moment, moves it to --recipe.
+/// If the command line names a file made by coppermoon where a moment is expected, uses the file as --recipe.
 void find_recipe(Line& line) {
   auto* recipe = line.verb.parameters.find("recipe");
   if (recipe == nullptr) return;
@@ -154,7 +154,7 @@ void take(const Typed& typed) {
   }
 }
 
-/// Whether a command line asks for help. If so, only its flags for help are taken.
+/// Whether a command line asks for help. If it does, its help flags are set, and no others.
 bool asks_for_help(const Line& line) {
   bool help = false;
   for (const auto& one : line.typed)
@@ -162,7 +162,7 @@ bool asks_for_help(const Line& line) {
   return help;
 }
 
-/// Error message for a missing value. It calls the moment by its name in the help.
+/// Error message for a required parameter that is missing. A missing moment has the name that help shows, INSTANT.
 std::string missing(const std::string& name) {
   if (name == "instant") return "INSTANT: missing; a moment is needed, as 2026-03-03";
   if (name == "eclipse") return "ECLIPSE: missing; a day is needed, as 2026-03-03";

@@ -8,8 +8,8 @@
 
 namespace coppermoon::verbs {
 
-/// Each of these functions adds one command to the program: its parameters, and the function that runs once they have
-/// their values. That function throws algebra::Error if it fails, and WrongUsage if the usage is wrong.
+/// Each of these functions adds one command to the program: its parameters, and the function that runs it once its
+/// parameters are set. Running a command throws WrongUsage if it is used wrongly, and algebra::Error if it fails.
 void add_almanac(Program& program);
 void add_sky(Program& program);
 void add_night(Program& program);
@@ -32,22 +32,22 @@ void add_tradeoff(Program& program);
 void add_describe(Program& program);
 void add_cache(Program& program);
 
-/// Adds all commands.
+/// Adds all of these commands to the program.
 void add_verbs(Program& program);
 
-/// What a command line asks for: a command to run, or a text to print, such as help.
+/// What a command line asks the program to do: run a command, or print a text such as help.
 struct Asked {
   Verb* verb = nullptr;
-  std::string text{};  ///< printed instead of running the command, unless empty
+  std::string text{};  ///< if not empty, printed instead of running the command
 };
 
-/// Command that a command line asks for, with its parameters set. Values from a recipe are taken first: from the file
-/// that --recipe names, or from a file made by coppermoon that stands in the place of the instant.
+/// Reads a command line, and sets the parameters of the command that it names. If there is a recipe, its values are set
+/// too. The recipe is the file that --recipe names, or a file made by coppermoon that is named in place of the instant.
 ///
 /// Given   words  the command line without the program's name
-/// Throws  WrongUsage      for an unknown command, option or word: names the nearest known one; for an argument that
-///                         is not UTF-8, which neither a recipe nor JSON could hold
-///         algebra::Error  for a value that is not allowed; if a recipe cannot be read
+/// Throws  WrongUsage      for an unknown command, option or word, with the nearest known one; for an argument that is
+///                         not UTF-8, because neither a recipe nor JSON could hold it
+///         algebra::Error  for a value that is not allowed, or a recipe that cannot be read
 Asked asked_by(Program& program, std::vector<std::string> words);
 
 /// Sets a command's parameters from the words that follow its name on the command line.
@@ -55,8 +55,8 @@ Asked asked_by(Program& program, std::vector<std::string> words);
 /// Throws  as asked_by
 void take(Verb& verb, const std::vector<std::string>& words);
 
-/// Runs a command whose parameters have their values, after checking that its files are distinct
-/// (require_files_apart). Says on stderr how it understands values that are ambiguous.
+/// Runs a command whose parameters are set, after checking that none of its files would overwrite another
+/// (require_files_apart). Reports on stderr how ambiguous values are understood.
 void run(Verb& verb);
 
 }  // namespace coppermoon::verbs

@@ -39,17 +39,17 @@ namespace {
 struct Options {
   std::string photo, render, output, recipe_in;
   texture::Coding coding = texture::Coding::as_file_says;
-  std::string exposure;  ///< exif or fit; empty: exif if the header has it
+  std::string exposure;  ///< "exif" or "fit"; if empty, "exif" where possible
   std::size_t bins = 12;
   std::optional<std::string> response;
   bool json = false, csv = false;
 };
 
-/// Options of a still that give its moment, observer and camera.
+/// The options of `still` that determine a frame's moment, observer and camera.
 struct StillFlags {
   MoonOptions moon;
   uses::ViewRequest view;
-  uses::CameraRequest camera;  ///< gives the view its focal length and sensor
+  uses::CameraRequest camera;  ///< supplies the view's focal length and sensor
 };
 
 StillFlags still_flags_of(const std::string& file) {
@@ -64,14 +64,14 @@ StillFlags still_flags_of(const std::string& file) {
   return flags;
 }
 
-/// Sky and camera of a frame, and the glow that the camera adds around bright parts of a picture.
+/// The sky and camera with which a frame was rendered, and the amount of glow from the camera's lens.
 struct FrameGeometry {
   almanac::SkyState sky;
   povray_scenes::SceneCamera camera;
   double glow = 0;
 };
 
-/// Geometry from the recipe in the header of a frame or of its scene's texture.
+/// Geometry of a frame, from the recipe in the header of the frame itself or of its scene's texture.
 FrameGeometry geometry_of(const std::string& file) {
   if (!holds_recipe(file))
     throw algebra::Error(
@@ -83,7 +83,7 @@ FrameGeometry geometry_of(const std::string& file) {
   return {sky, uses::view_for_frame(view, sky).view.camera, camera ? camera->glow : 0};
 }
 
-/// Light of a render, converted to linear Rec.709 from the colour space in its header.
+/// Reads the light of a render and converts it to linear Rec.709 from the colour space that its header names.
 texture::Image light_of(const std::string& render) {
   const auto name = texture::read_attribute(render, "coppermoon:colour_space");
   const auto space = name ? colour::working_space(*name) : uses::picture_space;
@@ -120,7 +120,7 @@ void describe(Field&& is, const Placed& placed) {
   is("correlation", placed.registration.correlation, "correlation of markings, -1 to 1");
 }
 
-/// How the photograph was exposed.
+/// Exposure of the photograph: from its header, as used, and as fitted.
 struct Exposed {
   std::optional<colour::Exposure> exif;
   double used = 1, fitted = 1;
@@ -145,17 +145,17 @@ void describe(Field&& is, const Exposed& exposed) {
   is("iso", of_header(&colour::Exposure::iso), "ISO speed by the header");
 }
 
-/// The comparison, and how the photograph was read.
+/// Result of comparing a photograph with a render, and how the photograph was read.
 struct Found {
   almanac::Instant when;
   std::optional<colour::Exposure> exif;
-  texture::Coding coding = texture::Coding::as_file_says;  ///< with which the photograph was read
+  texture::Coding coding = texture::Coding::as_file_says;  ///< how the photograph was decoded
   uses::Comparison comparison;
 
   Exposed exposed() const { return {exif, comparison.exposure, comparison.fitted_exposure}; }
 };
 
-/// How the photograph's numbers stand for light.
+/// How pixel values of the photograph were converted to light.
 struct Coded {
   texture::Coding coding = texture::Coding::as_file_says;
   std::optional<colour::ToneCurve> curve;
@@ -171,7 +171,7 @@ void describe(Field&& is, const Coded& coded) {
      "principal components of its camera's tone curve, in standard deviations over cameras");
 }
 
-/// A comparison, and the files compared.
+/// A comparison, with the names of its files.
 struct Document {
   std::string photo, render, sheet;
   Found found;
@@ -198,7 +198,7 @@ void describe(Field&& is, const Document& all) {
      "the sheet that was made");
 }
 
-/// How the photograph was decoded, in words.
+/// Describes in words how the photograph was decoded.
 std::string coding_in_words(const Found& found) {
   switch (found.coding) {
     case texture::Coding::camera:
@@ -256,8 +256,8 @@ void require_sound(const Options& options) {
   files::require_place_for(options.output);
 }
 
-/// Exposure from the header; nothing if the exposure is to be fitted. With a camera's own tone curve it is fitted by
-/// default, as the curve leaves a factor free.
+/// Exposure from the photograph's header; absent if the exposure is to be fitted. It is fitted by default if the
+/// photograph has a camera's own tone curve, because such a curve is known only up to a factor.
 std::optional<colour::Exposure> exif_to_use(const Options& options, texture::Coding coding) {
   if (options.exposure == "fit") return std::nullopt;
   if (coding == texture::Coding::camera && options.exposure.empty()) return std::nullopt;

@@ -36,7 +36,7 @@ const char* name(Affects what) {
   return names[static_cast<std::size_t>(what)];
 }
 
-/// A number as JSON, without a decimal point if it is whole.
+/// Converts a number to JSON. Whole numbers have no decimal point.
 Json number(double value) {
   if (std::abs(value) < 1e15 && value == std::floor(value)) return static_cast<std::int64_t>(value);
   return value;
@@ -53,7 +53,7 @@ Json as_json(const request::Condition& condition) {
   return json;
 }
 
-/// How a parameter's effect depends on others: {"only_with": [{"name": "solver", "values": ["literal"]}]}.
+/// How a parameter's effect depends on others, such as {"only_with": [{"name": "solver", "values": ["literal"]}]}.
 Json as_json(const request::Relation& relation) {
   auto conditions = Json::array();
   for (const auto& condition : relation.conditions) conditions.push_back(as_json(condition));
@@ -92,7 +92,7 @@ Json as_json(const Verb& verb) {
   return json;
 }
 
-/// Allowed values: "0 to 1000 DU", "on, off". If there is neither a range nor a list of words, the kind of value.
+/// Values that a parameter allows, such as "0 to 1000 DU" or "on, off". If any are allowed, the kind of value.
 std::string allowed(const Parameter& parameter) {
   const auto unit = unit_of(parameter);
   const auto values =
@@ -116,7 +116,7 @@ void print(const Verb& verb) {
   for (const auto& parameter : verb.parameters) print(parameter, 2);
 }
 
-/// The commands asked for, or all, in the order of help.
+/// The commands that the user named, or all commands, in the order in which help lists them.
 std::vector<const Verb*> chosen(const Program& program, const Options& options) {
   std::vector<const Verb*> verbs;
   for (const auto& group : guides())

@@ -35,7 +35,7 @@ struct Options {
   bool json = false;
 };
 
-/// Colour space of a frame, from --space, its header or its name, in that order; else linear Rec.709.
+/// Colour space of a frame, taken from --space, else from its header, else from its file name; else linear Rec.709.
 colour::WorkingSpace space_of(const Options& options, const std::string& frame) {
   if (!options.space.empty()) return colour::working_space(options.space);
   if (const auto name = texture::read_attribute(frame, "coppermoon:colour_space"))
@@ -53,7 +53,7 @@ texture::Image light_of(const Options& options, const std::string& frame,
   return texture::read_channels(frame, {"R", "G", "B"});
 }
 
-/// A frame, the file for its picture, and what its header says.
+/// A frame to develop, the file for its picture, and what the frame's header says.
 struct Job {
   std::string frame;
   fs::path picture;
@@ -61,7 +61,7 @@ struct Job {
   uses::SeenFrame seen;
 };
 
-/// A frame as read, with the light of the sky added.
+/// The light of a frame, to which the sky's light has been added.
 struct Read {
   texture::Image light;
   uses::SeenFrame seen;
@@ -81,7 +81,8 @@ Read read_frame(const Options& options, const Job& job) {
   return read;
 }
 
-/// One job per frame. A single frame gets the name in --output; several get their own names in that folder.
+/// Makes a job for each frame. For a single frame, --output may be the picture's file. If it is a folder, as for
+/// several frames, the pictures in it are named after their frames.
 std::vector<Job> jobs_of(const Options& options) {
   std::vector<Job> jobs;
   const bool folder = options.frames.size() > 1 || !fs::path(options.output).has_filename() ||
@@ -103,7 +104,7 @@ std::vector<Job> jobs_of(const Options& options) {
   return jobs;
 }
 
-/// Makes the folder for the pictures if it is missing.
+/// Throws if a picture cannot be written, and creates the folder for the pictures if it is missing.
 void require_place(const Options& options, const std::vector<Job>& jobs) {
   const fs::path output = options.output;
   const auto& camera = options.develop.camera;
@@ -130,7 +131,7 @@ void require_place(const Options& options, const std::vector<Job>& jobs) {
   }
 }
 
-/// The exposure that all frames share.
+/// Computes one exposure from all frames, with which all of them are developed.
 uses::Exposures shared_exposures(const Options& options, const std::vector<Job>& jobs) {
   if (jobs.size() == 1) {
     const auto [light, seen] = read_frame(options, jobs.front());
@@ -145,7 +146,7 @@ uses::Exposures shared_exposures(const Options& options, const std::vector<Job>&
   return shared.exposures();
 }
 
-/// The exposure that all frames share, and whether it is that of a camera.
+/// Exposure with which all frames are developed. `a_cameras` tells whether it is a camera's exposure for every frame.
 uses::Exposures exposures_of(const Options& options, const std::vector<Job>& jobs) {
   auto exposures = shared_exposures(options, jobs);
   exposures.a_cameras = std::ranges::all_of(
@@ -153,7 +154,7 @@ uses::Exposures exposures_of(const Options& options, const std::vector<Job>& job
   return exposures;
 }
 
-/// Luminance that becomes white [cd/m²], for the exposure and for the longer one if there is one.
+/// Luminance that is rendered as white [cd/m²], with the shorter exposure and, if there is one, with the longer.
 std::vector<double> whites_of(const Options& options, uses::Exposures exposures) {
   std::vector<double> whites{1 / scale_of(options.develop, exposures.shorter)};
   if (!exposures.longer_s) return whites;
@@ -180,7 +181,7 @@ void develop(const Options& options, const Job& job, const uses::Exposures& expo
                 job.picture);
 }
 
-/// The pictures that were made, and how they were exposed.
+/// The pictures that the command made, and how they were exposed.
 struct Developed {
   std::vector<std::string> files;
   std::string_view space;

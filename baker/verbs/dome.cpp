@@ -24,7 +24,7 @@ namespace {
 
 struct Options {
   MoonOptions moon;
-  uses::ViewRequest view;  ///< only the observer, the air and the stars
+  uses::ViewRequest view;  ///< of which only the observer, air and stars are used
   uses::DomeRequest dome;
   std::string output;
   bool json = false;
@@ -33,7 +33,7 @@ struct Options {
 constexpr std::array formats{
     files::Ending{".exr", "scene-linear; `coppermoon develop` makes a picture of it"}};
 
-/// The dome as asked for. A colour space in its file's name is honoured.
+/// Request for the dome. If the file's name contains a colour space, the dome has that colour space.
 uses::DomeRequest dome_request(const Options& options) {
   auto dome = options.dome;
   dome.content.space = space_for(options.output, options.dome.content.space);
@@ -46,7 +46,7 @@ void require_sound(const Options& options) {
   files::format_of(options.output, formats, "a dome");
   if (!options.view.observer) throw WrongUsage("--at: missing; a sky is seen from a place");
   uses::require_sound(options.dome);
-  constexpr double a_texel = 40;  // bytes; 14 in linear Rec.709, measured at 8192 columns
+  constexpr double a_texel = 40;  // bytes; only 14 in linear Rec.709, as measured
   const auto width = static_cast<double>(options.dome.width);
   files::require_memory(options.output, a_texel * width * width / 2);
   files::require_place_for(options.output);
@@ -56,11 +56,11 @@ void run(const Options& options) {
   require_sound(options);
   const auto request = dome_request(options);
   auto moon = moon_request(options.moon);
-  moon.texture_width = 720;  // enough for the Moon's total light
+  moon.texture_width = 720;  // enough to compute the Moon's total light
   const auto sky = almanac::sky_at(instant_of(options.moon.moment, options.view.observer));
   const bool eclipsed =
       eclipse::eclipse_at(sky.when, eclipse::ShadowConvention::danjon).has_value();
-  if (!eclipsed) moon.unshadowed = true;  // a night without an eclipse
+  if (!eclipsed) moon.unshadowed = true;  // there is no eclipse that night
   if (!moon.unshadowed) say_unless_danjon_is_reached(moon.light.air, sky);
   const auto lit = [&] {
     ProgressBar bar("light");

@@ -30,7 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-  FilmOptions film;  ///< only the eclipse and the calendar
+  FilmOptions film;  ///< of which only the eclipse and the calendar are used
   std::string from, to, output;
   uses::ExploreRequest request;
   bool embed = false, json = false;
@@ -51,7 +51,7 @@ void require_sound(const Options& options) {
     throw algebra::Error(fmt::format("{}: is no directory", one_line(options.output)));
 }
 
-/// A word for a shell, in quotes if it needs them.
+/// A word as it is typed in a shell, in quotes if it needs them.
 std::string shell_word(const std::string& word) {
   const bool plain = word.find_first_not_of(
                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
@@ -59,7 +59,7 @@ std::string shell_word(const std::string& word) {
   return plain ? word : in_single_quotes(word);
 }
 
-/// The given flags for the air and the map, for the commands that the page shows.
+/// Those of the given flags that concern the air and the map, as text for the command lines that the page shows.
 std::string options_shown(const Verb& verb) {
   std::string flags;
   for (const auto& parameter : verb.parameters) {
@@ -77,7 +77,6 @@ std::string options_shown(const Verb& verb) {
 
 std::string stamped(const std::string& page) { return files::stamped(page, "<!--", " -->"); }
 
-/// A page that was written.
 struct Page {
   std::string file, title;
   std::size_t bytes = 0;
@@ -91,7 +90,7 @@ void describe(Field&& is, const Page& page) {
   is("bytes", page.bytes, algebra::unit::bytes, "its size");
 }
 
-/// A list of pages, one for each eclipse.
+/// A page that lists other pages, one for each eclipse.
 struct Pages {
   std::string file;
   std::vector<Page> pages;

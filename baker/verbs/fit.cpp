@@ -33,7 +33,7 @@ struct Options {
   std::optional<double> clock_error_min;
   texture::Coding coding = texture::Coding::as_file_says;
   std::optional<double> f_number;
-  uses::FitRequest request;  ///< complete except for photographs and magnitudes
+  uses::FitRequest request;  ///< without its photographs and magnitudes
   bool despite_misfit = false, misfits = false, json = false;
 };
 
@@ -59,11 +59,11 @@ std::optional<double> number_for(const Options& options, const std::string& list
   return value_for(options, *numbers, i, what);
 }
 
-/// Request for the fit, with details of the photographs that only the report needs.
+/// Request for the fit, with what else the report needs to know about the photographs.
 struct Input {
   uses::FitRequest request;
   std::vector<std::string> instants;
-  std::vector<std::string> zones{};  ///< time zones of the photographs; "" if unknown
+  std::vector<std::string> zones{};             ///< time zones of the photographs; "" if unknown
   std::vector<uses::ReadPhotograph> undated{};  ///< photographs without a date in their headers
 };
 

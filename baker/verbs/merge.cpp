@@ -23,7 +23,7 @@ struct Options {
   bool json = false;
 };
 
-/// A photograph that was merged from others.
+/// Result of the command: one photograph merged from several.
 struct Merged {
   std::string file;
   std::size_t photographs = 0;

@@ -34,11 +34,11 @@ namespace of_night {
 namespace {
 
 struct Options {
-  FilmOptions film;  ///< only the eclipse and the calendar
+  FilmOptions film;  ///< of which only the eclipse and the calendar are used
   MoonOptions moon;
   uses::ViewRequest view;
   uses::Development develop;
-  std::string place, zone;  ///< zone for local times; empty: that of the place
+  std::string place, zone;  ///< `zone` is for local times; if empty, the place's own
   std::vector<std::string> outputs;
   bool danjon = true, json = false, csv = false;
 };
@@ -46,8 +46,8 @@ struct Options {
 /// What the command prints about the night of an eclipse at one place.
 struct NightReport {
   uses::NightLights lights;
-  almanac::City city;       ///< the place, or the city nearest to it
-  bool own_clocks = false;  ///< whether the place is that city, not merely near it
+  almanac::City city;       ///< city at the place, or nearest to it
+  bool own_clocks = false;  ///< whether the place is that city itself
   std::string zone;         ///< time zone for local times
 
   const uses::Circumstances& circumstances() const { return lights.night; }
@@ -78,7 +78,7 @@ std::string camera_text(double seconds) {
   return time > 30 ? duration(time) : fmt::format("{:g}", time);
 }
 
-/// Exposure time as cameras mark it, with those for a brighter and a darker Moon: "2 s (1.6 to 2.5)".
+/// Exposure time as cameras show it, with the range for a brighter or darker Moon, such as "2 s (1.6 to 2.5)".
 std::string exposure_text(const std::optional<uses::PartExposure>& part) {
   if (!part) return "-";
   const auto time = camera_text(part->time_s), least = camera_text(part->least_s),
@@ -87,7 +87,7 @@ std::string exposure_text(const std::optional<uses::PartExposure>& part) {
          (least == most ? "" : fmt::format(" ({} to {})", least, most));
 }
 
-/// What limits the exposure times in a phase, in words.
+/// Describes in words what limits the exposure times in a phase.
 std::string limit_text(const uses::PhaseExposure& phase) {
   std::vector<std::string> limits;
   if (phase.too_dark) limits.emplace_back("too dark");
@@ -121,7 +121,7 @@ void print_moments(const NightReport& night) {
   }
 }
 
-/// Phases of an eclipse and how long they last [s], then how long the eclipse is seen.
+/// How long the phases of an eclipse last, and for how long the eclipse is seen [s].
 algebra::ByName<double> durations(const uses::Circumstances& night) {
   const auto& c = night.eclipse.contacts;
   algebra::ByName<double> all;
@@ -187,7 +187,7 @@ void print(const NightReport& night) {
   print_exposures(night);
 }
 
-/// A moment of the night as JSON and CSV show it.
+/// A moment of the night as it is listed in JSON and CSV.
 struct MomentRow {
   uses::NightMoment moment;
   uses::LocalTime local;
@@ -311,7 +311,7 @@ NightReport night_of(const Options& options) {
     uses::require_in_calendars({night.circumstances()}, place_name(night));
   if (night.zone.empty() || night.zone == "local")
     night.zone = named ? named->time_zone : uses::time_zone_of(*options.view.observer);
-  uses::local_time(eclipse.greatest, night.zone);  // throws for an unknown time zone
+  uses::local_time(eclipse.greatest, night.zone);  // throws if the time zone is unknown
   ProgressBar bar("light");
   auto development = options.develop;
   development.focal_length_mm = seen_through(development.camera, options.view).focal_length_mm;

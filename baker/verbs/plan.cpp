@@ -24,18 +24,18 @@ struct Options {
   bool json = false;
 };
 
-/// Whether to plan a picture: yes if any parameter of the view is given.
+/// Whether to plan a picture and not only a texture. It is planned if the user set any parameter of the view.
 bool of_a_picture(const Verb& verb) {
   for (const auto* flag : {"at", "width", "height", "field", "focal-length", "sensor-width"})
     if (is_given(verb, flag)) return true;
   return false;
 }
 
-/// A plan, and the sizes for which it is made.
+/// A plan for computing light, and the sizes of the texture and picture for which it was made.
 struct Planned {
   plan::Plan plan;
   std::size_t texture_width = 0;
-  std::optional<double> frame_bytes;  ///< memory for a picture's frame
+  std::optional<double> frame_bytes;  ///< memory that a picture's frame needs; absent for a texture
   std::vector<std::string> picture_left_out;
 };
 

@@ -27,7 +27,7 @@ struct Options {
   std::string output;
   std::optional<almanac::SelenographicPoint> on;
   double scale = 1;
-  uses::LightRequest light;  ///< only the air
+  uses::LightRequest light;  ///< of which only the air is used
   bool json = false;
 };
 

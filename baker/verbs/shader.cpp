@@ -30,14 +30,14 @@ const request::Words<colour::WorkingSpace> spaces{
     {"lin_ciexyzd65_scene", colour::WorkingSpace::ciexyz_d65}};
 
 struct Options {
-  MomentOptions moment;  ///< a day stands for its whole eclipse
+  MomentOptions moment;  ///< if only a day, its whole eclipse is meant
   std::string output;
   LightOptions light;
   uses::ShaderRequest request;
   bool json = false;
 };
 
-/// The folder of shaders that was made.
+/// Result of the command: a folder of shaders.
 struct Made {
   std::string folder;
   std::vector<std::string> files;

@@ -41,13 +41,13 @@ std::vector<double> required_list(const std::string& text, const char* what) {
   return *list;
 }
 
-/// Date of the air if no moment is given, as a decimal year: March in a year without eruptions.
+/// Decimal year for which the air is taken if no moment is given: an equinox in a year without eruptions.
 constexpr double an_equinox = 2003.22;
 
-/// A plane across the shadow: its distance behind the Earth, and the Sun's distance and declination.
+/// A plane that cuts the Earth's shadow. It is given by its distance behind the Earth and by where the Sun is.
 struct Cut {
   double sun_distance_m, depth_m;
-  algebra::Angle sun_declination{};  ///< that at an equinox if no moment is given
+  algebra::Angle sun_declination{};  ///< 0, as at an equinox, if no moment is given
   std::optional<almanac::SkyState> sky{};
 };
 
@@ -79,7 +79,7 @@ uses::ProfilePlaces places_of(const Options& options) {
   return places;
 }
 
-/// Profile of the shadow, as files in all formats show it.
+/// Profile of light across the shadow, with all that is written to files.
 struct Profile {
   double moon_distance_km = 0, sun_distance_km = 0;
   std::string_view solver = "quadrature";
@@ -115,7 +115,7 @@ std::string as_csv(const Profile& all) {
 
 result::Json as_json(const Profile& profile) { return result::as_json(profile); }
 
-/// Writers for tables, then for plots.
+/// Writers for all file formats: first tables, then plots.
 const Writers<Profile>& writers() {
   static const Writers<Profile> all = [] {
     Writers<Profile> formats{writer_of({".csv", "numbers"}, as_csv),
@@ -129,7 +129,7 @@ const Writers<Profile>& writers() {
   return all;
 }
 
-/// Title for a plot: moment and distance, and the air on a second line.
+/// Title of a plot. The first line states the moment and the distance from the Earth, the second the air.
 std::string title_of(const Cut& cut, const std::string& air, almanac::Calendar calendar) {
   const auto distance = fmt::format("{:.0f} km from the Earth", cut.depth_m / 1e3);
   if (!cut.sky) return fmt::format("The Earth's shadow {}\n{}", distance, air);

@@ -40,10 +40,10 @@ void describe(Field&& is, const Star& star) {
   is("illuminance_lux", star.illuminance_lux, unit::illuminance, "illuminance, in linear Rec.709");
 }
 
-/// The sky at a moment, and the stars that are asked for.
+/// The sky at one moment, with stars if the user asked for them.
 struct Document {
   eclipse::SeenSky sky;
-  std::optional<algebra::Angle> latitude;  ///< of the observer, if stars are asked for
+  std::optional<algebra::Angle> latitude;  ///< of the observer; absent without stars
   std::vector<Star> stars;
 };
 

@@ -47,7 +47,7 @@ void require_sound(const Options& options) {
     if (!file.empty()) files::require_place_for(file);
 }
 
-/// Colour space of the frame: the one that its file's name tells, or the one asked for.
+/// Colour space of the frame: the one in its file's name, else the one set by --space.
 colour::WorkingSpace frame_space(const Verb& verb, const Options& options) {
   if (is_given(verb, "space")) return *space_for(options.frame, options.space);
   const auto space = space_for(options.frame, {}).value_or(options.space);
@@ -55,13 +55,13 @@ colour::WorkingSpace frame_space(const Verb& verb, const Options& options) {
   return space;
 }
 
-/// Says on stderr if the Moon cannot be seen against its sky, and from when it can.
+/// Warns on stderr if the sky is too bright for the Moon to be seen, and says when it can be seen.
 void say_unless_seen(const uses::LitScene& scene, const Options& options) {
   const auto& when = scene.moon.sky.when;
   const auto eclipse = eclipse::nearest_eclipse(when, eclipse::ShadowConvention::danjon);
   if (!scene.view.observer || options.view.sky_cd_m2) return;
   auto moon = options.moon.request;
-  moon.light.wish.tolerance = 0.05;  // enough, as the eye's threshold is uncertain by some tenths
+  moon.light.wish.tolerance = 0.05;  // enough, because the eye's threshold is less certain
   const uses::EclipseLight light(eclipse, moon);
   const auto night = uses::as_seen(
       uses::circumstances(eclipse, *scene.view.observer),

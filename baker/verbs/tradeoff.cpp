@@ -87,7 +87,7 @@ void write_files(const std::filesystem::path& folder, const Options& options,
   uses::write_plot(folder / "tradeoff.svg", as_plot(all));
 }
 
-/// Writes into a folder. A missing folder is made, and removed again if writing fails.
+/// Writes the results into the output folder. A missing folder is created, and removed again if writing fails.
 void write_folder(const Options& options, const ReferenceSettings& reference,
                   std::span<const Measured> all) {
   std::error_code ignored;
@@ -100,7 +100,7 @@ void write_folder(const Options& options, const ReferenceSettings& reference,
   }
 }
 
-/// Refuses a folder in which a file would overwrite one that is not ours, or be written through a link.
+/// Throws if writing into the folder would follow a link or replace a file that this command did not make.
 void require_own_files(const std::filesystem::path& folder) {
   const auto text = folder / "tradeoff.md";
   const bool ours = std::filesystem::exists(text) &&

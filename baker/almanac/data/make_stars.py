@@ -4,15 +4,16 @@
 
 Usage: make_stars.py [folder of the catalogues] [stars.bin]
 
-It keeps stars to V = 9.0 within 10 degrees of the ecliptic, where the Moon always stands, and to 6.5 elsewhere.
+It keeps stars down to V = 9.0 within 10 degrees of the ecliptic, where the Moon always is, and to 6.5 elsewhere.
 The package's copyright file says that the data come from the Hipparcos Catalogue (ESA, 1997, SP-1200; 3.1), the Tycho-2
 Catalogue (Hog et al., 2000; 3.6) and the Naval Observatory Merged Astrometric Dataset NOMAD 1 (U.S. Naval
 Observatory; 3.7: free to distribute if source, name and changes are stated). The changes: magnitudes and colours are
-rounded, and were computed by Stellarium's authors if a catalogue has none; places are rounded to 0.0003 arcseconds;
+rounded, and Stellarium's authors computed those that a catalogue lacked; places are rounded to 0.0003 arcseconds;
 some stars are left out. Stars without a Hipparcos number have no proper motion.
 
-A star is 16 bytes, little-endian: right ascension and declination (ICRS, epoch and equinox 2000.0) in 2^-32 turns, 4
-bytes each; proper motion east and north in 0.01 mas a year, 3 bytes each; (V + 2) / 0.05; (B - V + 0.5) / (4/127).
+A star takes 16 bytes, little-endian: right ascension and declination (ICRS, epoch and equinox 2000.0) in 2^-32 turns,
+4 bytes each; proper motion east and north in 0.01 mas a year, 3 bytes each; then one byte each for (V + 2) / 0.05 and
+(B - V + 0.5) / (4/127).
 """
 import math
 import struct
@@ -51,7 +52,7 @@ def unit(v):
 
 
 def triangles(level):
-    """The sky's 20 * 4^level triangles, from an icosahedron whose edges are halved `level` times."""
+    """Divides the sky into 20 * 4^level triangles: an icosahedron whose edges are halved `level` times."""
     found = [tuple(CORNERS[i] for i in triangle) for triangle in TRIANGLES]
     for _ in range(level):
         smaller = []
@@ -63,7 +64,7 @@ def triangles(level):
 
 
 def plane(triangle):
-    """The plane that touches a triangle's middle (middle, east, north), and how far a corner lies along an axis."""
+    """The plane that touches the sphere at a triangle's middle (middle, east, north), and its largest coordinate."""
     middle = unit(total(*triangle))
     east = unit(cross((0, 0, 1), middle))
     north = cross(middle, east)
@@ -75,7 +76,7 @@ def plane(triangle):
 
 
 def stars(path):
-    """Hipparcos number (0 if it has none), direction, V and code for B - V of each star in a catalogue."""
+    """Yields the Hipparcos number (0 if there is none), direction, V and colour code of each star in a catalogue."""
     with open(path, "rb") as file:
         data = file.read()
     magic, kind, version, _, level, brightest, extent, steps = struct.unpack_from("<5I2iI", data)

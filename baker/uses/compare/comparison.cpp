@@ -44,7 +44,7 @@ glm::dvec3 pixel_of(const texture::Image& image, std::size_t row, std::size_t co
   return {image(row, column, 0), image(row, column, 1), image(row, column, 2)};
 }
 
-/// CIE 1976 u', v' (CIE 15:2004, 8.2.1.1); nothing if there is no light.
+/// CIE 1976 chromaticity u', v' (CIE 15:2004, 8.2.1.1), or nullopt if the colour is black.
 std::optional<std::array<double, 2>> uv_of(const glm::dvec3& rgb) {
   const auto xyz = xyz_from_rgb() * rgb;
   const double whole = xyz.x + 15 * xyz.y + 3 * xyz.z;
@@ -52,12 +52,12 @@ std::optional<std::array<double, 2>> uv_of(const glm::dvec3& rgb) {
   return std::array{4 * xyz.x / whole, 9 * xyz.y / whole};
 }
 
-/// Colour as displayed, clipped at white.
+/// CIELAB colour of a pixel as displayed, with each channel clipped to 0 to 1.
 colour::Lab developed(const glm::dvec3& rgb) {
   return colour::lab_from_xyz(xyz_from_rgb() * glm::clamp(rgb, 0., 1.));
 }
 
-/// Sums over pixels from which a difference is made.
+/// Running sums over pixels, from which a Difference is computed.
 struct Sums {
   Difference difference;
   glm::dvec3 photo{0}, render{0};
@@ -87,7 +87,7 @@ struct Sums {
   }
 };
 
-/// A frame without the stars beside the Moon, which registration would mistake for its limb.
+/// Blackens everything outside the Moon's disc, because registration would mistake stars there for the limb.
 texture::Image moon_alone(texture::Image frame, const povray_scenes::SceneCamera& camera) {
   const auto disc = disc_outline(camera);
   if (!disc) return frame;
@@ -107,7 +107,7 @@ texture::Image glowing(texture::Image frame, double share,
   return image_of(colour::with_glow(pixels_of(frame), share, pixel_rad_of(camera)));
 }
 
-/// Ratio to the largest value from which a value counts as clipped.
+/// Values above this fraction of the brightest value count as clipped.
 constexpr float of_brightest = 0.99F;
 
 float brightest_of(const texture::Image& image) {
@@ -119,19 +119,19 @@ bool any_channel_reaches(const glm::dvec3& rgb, double value) {
   return std::max({rgb.r, rgb.g, rgb.b}) >= value;
 }
 
-/// Upper median; reorders the values.
+/// Median, or the larger of the two middle values. Reorders the values.
 double median(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
 
-/// Distance of the ground at a place in a frame from the shadow's axis [km]; nothing beside the Moon or beyond 0.97 of
-/// its radius.
+/// Distance from the shadow's axis to the lunar ground that is seen at a pixel [km], or nullopt if the pixel is farther
+/// than 0.97 lunar radii from the disc's centre.
 std::optional<double> axis_distance_km(const almanac::SkyState& sky,
                                        const eclipse::ShadowAxis& axis,
                                        const povray_scenes::Sight& sight, const glm::dvec2& pixel) {
-  constexpr double least_emission_cosine = 0.25;  // 0.97 of the disc's radius
+  constexpr double least_emission_cosine = 0.25;  // at 0.97 of the disc's radius
   const auto ground = povray_scenes::ground_at(sight, pixel);
   if (!ground ||
       glm::dot(*ground, glm::normalize(sight.position - *ground)) < least_emission_cosine)
@@ -139,8 +139,7 @@ std::optional<double> axis_distance_km(const almanac::SkyState& sky,
   return algebra::in_kilometres(eclipse::place_of_ground(axis, sky, *ground).axis_distance);
 }
 
-/// Pixels of a photograph within the disc. For a large photograph only every n-th row and column is used, as if it had
-/// about a million pixels in all.
+/// Pixels in the Moon's disc. In a large photograph, rows and columns are skipped to leave about a million pixels.
 Pixels shared_pixels(const texture::Image& photo, const texture::Image& render,
                      const almanac::SkyState& sky, const povray_scenes::SceneCamera& camera,
                      const colour::Similarity& render_to_photo) {
@@ -174,8 +173,8 @@ Pixels shared_pixels(const texture::Image& photo, const texture::Image& render,
   return pixels;
 }
 
-/// Exposure that makes the render as bright as the photograph: the median over pixels that are neither clipped nor
-/// darker than a hundredth of the brightest.
+/// Exposure that makes the render as bright as the photograph. It is the median ratio of the two over all pixels of the
+/// photograph that are not clipped and have more than 1 % of the brightest pixel's luminance.
 double fitted_exposure(const Pixels& pixels) {
   constexpr double least_share = 0.01;
   double most = 0;
@@ -191,14 +190,14 @@ double fitted_exposure(const Pixels& pixels) {
   return median(ratios);
 }
 
-/// Tone curve of the camera, fitted to pixels as displayed. Exposure and colours are free; light has an error of 3 %
-/// in each step of the render's light. Errors of the render in bright and dark parts are absorbed by the curve, within
-/// the range of real cameras.
+/// Fits the camera's tone curve to the displayed pixels. Exposure and colour balance are fitted too. The pixels are
+/// binned by the render's light, and each bin is assumed to have an error of 3 %. The curve also absorbs errors of the
+/// render in bright and dark parts, as far as the curves of real cameras allow.
 colour::ToneCurve fitted_curve(const Pixels& pixels) {
   constexpr double step = 0.1, error = 0.03, unknown = 10, of_colours = 0.3;
   constexpr std::size_t many = 50, least = 3;
   std::map<std::pair<long, int>, std::vector<double>>
-      displayed;  // [step of rendered light, channel]
+      displayed;  // [bin of the render's light, channel]
   for (const auto& pixel : pixels)
     for (int k = 0; k < 3; ++k)
       if (!pixel.clipped && pixel.render_cd_m2[k] > 0)
@@ -206,7 +205,7 @@ colour::ToneCurve fitted_curve(const Pixels& pixels) {
             pixel.photo[k]);
   using Vector = Eigen::Vector<double, 3 + colour::tone_numbers>;
   Eigen::Matrix<double, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime> normal;
-  normal.setIdentity();  // unit Gaussian prior
+  normal.setIdentity();  // Gaussian prior of unit variance
   Vector sums = Vector::Zero();
   std::size_t steps = 0;
   for (auto& [light, values] : displayed) {
@@ -233,7 +232,7 @@ colour::ToneCurve fitted_curve(const Pixels& pixels) {
   return curve;
 }
 
-/// Makes displayed light scene-linear.
+/// Undoes the camera's tone curve, so that the photograph's pixels become scene-linear.
 void undo(const colour::ToneCurve& curve, Pixels& pixels) {
   const colour::ToneTable table(curve);
   for (auto& pixel : pixels)

@@ -18,34 +18,34 @@
 
 namespace coppermoon::uses {
 
-/// Luminance of a linear Rec.709 image, in the image's own unit. Pixels clipped in any channel get the value of the
-/// brightest pixel.
+/// Luminance of each pixel of a linear Rec.709 image, in the image's unit. A pixel that is clipped in any channel gets
+/// the image's largest channel value.
 algebra::Grid<float> luminance_of(const texture::Image& light);
 
-/// An image, resampled to the geometry of another picture.
+/// Resamples an image so that it lies pixel for pixel over another picture of the given size.
 texture::Image resampled(const texture::Image& image, const colour::Similarity& similarity,
                          std::size_t rows, std::size_t columns);
 
-/// A pixel of a photograph, and the render at the same place.
+/// A pixel of a photograph, and the render's light at the same point of the Moon.
 struct SharedPixel {
   double axis_distance_km;
   glm::dvec3 photo;         ///< linear Rec.709; 1 saturates
   glm::dvec3 render_cd_m2;  ///< linear Rec.709
-  bool clipped;             ///< in the photograph
+  bool clipped;             ///< whether the photograph is clipped here
 };
 
-/// Difference between pixels of a photograph and of a render, leaving out clipped ones. If more than half of the
-/// photograph's pixels are black, its values are empty, because the mean of the others would be too bright.
+/// Difference between a photograph and a render, without pixels that are clipped. If more than half of the
+/// photograph's pixels are black, the optional values are left empty, because the mean would be too bright.
 struct Difference {
   double from_km = 0, to_km = 0;  ///< range of distances from the shadow's axis
   std::size_t pixels = 0;         ///< number of pixels not clipped
   std::size_t clipped = 0;
   std::size_t black = 0;  ///< how many of `pixels` have no light in the photograph
+  /// Photograph's mean luminance relative to the render's.
   std::optional<double> stops = {};
-  ///< ratio of the photograph's mean luminance to the render's
   std::optional<std::array<double, 2>> photo_uv = {},
                                        render_uv = {};  ///< CIE 1976 u', v' of the mean light
-  std::optional<double> delta_e_2000 = {};              ///< mean over the developed pixels
+  std::optional<double> delta_e_2000 = {};              ///< mean over all pixels as displayed
 };
 
 template <class Field>
@@ -69,38 +69,37 @@ void describe(Field&& is, const Difference& difference) {
   is("delta_e_2000", difference.delta_e_2000, "colour difference CIEDE2000");
 }
 
-/// Differences in even steps of axis distance, followed by the difference over the whole disc.
+/// Differences in equally wide ranges of distance from the shadow's axis, then the difference over the whole disc.
 ///
-/// Given  exposure  pixel value of 1 cd/m²
-///        bins      number of steps
+/// Given  exposure  pixel value for a luminance of 1 cd/m²
+///        bins      number of ranges
 std::vector<Difference> differences(const std::vector<SharedPixel>& pixels, double exposure,
                                     std::size_t bins);
 
-/// A photograph compared with a render.
 struct Comparison {
   colour::Registration registration;
-  double exposure, fitted_exposure;          ///< pixel value of 1 cd/m²: as used, and as fitted
-  std::vector<Difference> differences;       ///< as from differences()
-  texture::Image render;                     ///< with glow, at the exposure used, linear Rec.709
-  std::optional<colour::ToneCurve> curve{};  ///< the camera's, if it was fitted
+  double exposure, fitted_exposure;          ///< used and fitted pixel value for 1 cd/m²
+  std::vector<Difference> differences;       ///< as returned by differences()
+  texture::Image render;                     ///< linear Rec.709, with glow and exposure applied
+  std::optional<colour::ToneCurve> curve{};  ///< tone curve of the camera, if fitted
 };
 
-/// Exposure and coding of a photograph, and settings for the comparison.
+/// Settings for comparing a photograph with a render.
 struct ComparisonRequest {
-  std::optional<colour::Exposure> exposure = {};  ///< fitted if absent
-  bool curved = false;                            ///< whether to fit its camera's tone curve
-  double glow = 0;        ///< share of light scattered by optics and air: colour::with_glow
-  std::size_t bins = 12;  ///< steps of axis distance, 1 to 1000
+  std::optional<colour::Exposure> exposure = {};  ///< if absent, the exposure is fitted
+  bool curved = false;                            ///< whether to fit the camera's tone curve
+  double glow = 0;        ///< fraction of light scattered by optics and air (colour::with_glow)
+  std::size_t bins = 12;  ///< number of ranges of axis distance, 1 to 1000
 };
 
-/// Registers a rendered frame in a photograph, adds glow and exposure to it, and compares the two.
+/// Registers a rendered frame with a photograph, applies glow and exposure to the frame, and compares the two.
 ///
-/// Given   photo        linear Rec.709, 1 saturates
+/// Given   photo        linear Rec.709; 1 saturates
 ///         frame        linear Rec.709 [cd/m²], without glow
-///         sky, camera  with which the frame was rendered
-/// Throws  Error  as colour::registered and with_glow; when the camera is not sound; when no pixel is lit in both
-///                pictures and not clipped; when there are fewer than three steps of light to fit a tone curve; when
-///                the frame's size is not the camera's
+///         sky, camera  those with which the frame was rendered
+/// Throws  Error  if the camera is not sound or differs from the frame in size; if every pixel is clipped or is black
+///                in one of the pictures; if fewer than three levels of light remain to fit a tone curve; also as
+///                colour::registered and with_glow
 Comparison compared(const texture::Image& photo, const texture::Image& frame,
                     const almanac::SkyState& sky, const povray_scenes::SceneCamera& camera,
                     const ComparisonRequest& request = {});

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double margin = 1.12;  // ratio of half a panel's side to the disc's radius
 
-/// A panel: a square of the photograph around the disc.
+/// Square part of the photograph around the Moon's disc, as shown in a panel.
 struct Square {
   colour::Similarity from_photo;
   std::size_t side_px;
@@ -34,7 +34,7 @@ Square square_about(const colour::Disc& disc) {
           static_cast<std::size_t>(side)};
 }
 
-/// Scene-linear light of a photograph in a square; a large photograph is first averaged over blocks of pixels.
+/// Cuts a square out of a photograph as scene-linear light. A large photograph is first averaged over blocks of pixels.
 texture::Image seen_in(const Square& square, const texture::Image& photo, const Comparison& found) {
   auto disc = found.registration.in_photo;
   disc.radius_px = margin * disc.radius_px + 1;
@@ -62,7 +62,7 @@ double luminance(const texture::Image& image, std::size_t row, std::size_t colum
   return colour::luminance(picture_space, rgb);
 }
 
-/// Colour for a difference: red above 0, blue below, grey at 0.
+/// Colour that shows a difference in brightness. It is red for positive, blue for negative and grey for no difference.
 std::array<float, 3> colour_of(double stops) {
   constexpr double most = 2;
   const auto share = static_cast<float>(std::clamp(stops / most, -1., 1.));

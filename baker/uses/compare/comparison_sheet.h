@@ -7,11 +7,11 @@
 namespace coppermoon::uses {
 
 /// Draws a sheet of three panels side by side: the photograph, the render at the photograph's exposure, and their
-/// difference. It is red where the photograph is brighter, blue where it is darker, saturated at two stops, and black
-/// where either is dark.
+/// difference. The difference is red where the photograph is brighter than the render, blue where it is darker, and
+/// black where either picture is dark. Its colours are saturated at two stops.
 ///
-/// Given     photo  as it was read and compared
-/// Returned  sRGB-coded, 0 to 1: R, G, B; three squares of at most 640 pixels
+/// Given     photo  the photograph from which `found` was computed
+/// Returned  sRGB-coded R, G, B from 0 to 1; each panel is at most 640 pixels wide and high
 texture::Image comparison_sheet(const texture::Image& photo, const Comparison& found);
 
 }  // namespace coppermoon::uses

@@ -27,7 +27,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// The picture's grid of directions.
+/// Directions in the sky for the picture's rows and columns.
 class Directions {
  public:
   explicit Directions(std::size_t columns) : columns_(columns), step_(2 * pi / double(columns)) {}
@@ -36,27 +36,27 @@ class Directions {
   std::size_t rows() const { return columns_ / 2; }
   std::size_t rows_above() const { return rows() / 2; }
 
-  /// Altitude at a row's middle [rad].
+  /// Altitude at the centre of a row [rad].
   double altitude(std::size_t row) const { return pi / 2 - (double(row) + 0.5) * step_; }
-  /// Azimuth at a column's middle [rad], −π to π.
+  /// Azimuth at the centre of a column [rad], −π to π.
   double azimuth(std::size_t column) const { return (double(column) + 0.5) * step_ - pi; }
 
   glm::dvec3 direction(std::size_t row, std::size_t column) const {
     return in_sky(algebra::radians(altitude(row)), algebra::radians(azimuth(column)));
   }
 
-  /// Solid angle of a texel in a row [sr].
+  /// Solid angle of each texel in a row [sr].
   double solid_angle(std::size_t row) const {
     return step_ * 2 * std::sin(step_ / 2) * std::cos(altitude(row));
   }
 
-  /// Place of a direction in texels, from the upper left corner.
+  /// Picture coordinates (x, y) of a direction, in texels from the upper left corner.
   std::pair<double, double> place(algebra::Angle altitude, algebra::Angle azimuth) const {
     return {(algebra::in_radians(azimuth) + pi) / step_,
             (pi / 2 - algebra::in_radians(altitude)) / step_};
   }
 
-  /// Column wrapped around the horizon into the picture.
+  /// Wraps a column number that lies beyond the left or right edge back into the picture.
   std::size_t around(std::ptrdiff_t column) const {
     const auto all = static_cast<std::ptrdiff_t>(columns_);
     return static_cast<std::size_t>((column % all + all) % all);
@@ -64,7 +64,7 @@ class Directions {
 
  private:
   std::size_t columns_;
-  double step_;  ///< [rad]
+  double step_;  ///< angle between neighbouring rows or columns [rad]
 };
 
 void add(texture::Image& image, std::size_t row, std::size_t column, const Rgb& light,
@@ -73,10 +73,10 @@ void add(texture::Image& image, std::size_t row, std::size_t column, const Rgb& 
     image(row, column, k) += static_cast<float>(factor * light[k]);
 }
 
-/// The Moon as a light for an observer.
+/// The Moon's place and brightness for an observer.
 struct MoonOver {
-  std::vector<double> magnitudes;  ///< [band], above the air, from the Earth's centre
-  Rgb lux{};  ///< through the air, on a surface that faces it; 0 below the horizon
+  std::vector<double> magnitudes;  ///< by band, as seen from the Earth's centre without air
+  Rgb lux{};  ///< through the air, on a surface that faces the Moon; 0 below the horizon
   povray_scenes::HorizonPlace place;
 };
 
@@ -99,7 +99,7 @@ View view_around(const ViewRequest& request, const atmosphere::ObserverAir& air)
   return view;
 }
 
-/// Spreads a point's light over the four texels around it, weighted by distance; none goes below the horizon.
+/// Spreads a point's light over the four nearest texels, weighted by distance. Rows below the horizon get none of it.
 void add_point(texture::Image& image, const Directions& all,
                const povray_scenes::HorizonPlace& place, const Rgb& lux) {
   const auto [x, y] = all.place(place.altitude, place.azimuth);
@@ -122,7 +122,7 @@ void add_stars(texture::Image& image, const Directions& all, const View& view,
       add_point(image, all, star.place, star.illuminance_lux);
 }
 
-/// Adds the Moon's disc as equal points, leaving out those below the horizon.
+/// Adds the Moon's disc as many equally bright points, leaving out points below the horizon.
 void add_moon(texture::Image& image, const Directions& all, const MoonOver& moon,
               algebra::Angle radius) {
   constexpr int points = 1 << 16;

@@ -16,25 +16,25 @@ namespace coppermoon::uses {
 
 /// Settings for a picture of the whole sky.
 struct DomeRequest {
-  std::size_t width = 2048;  ///< a multiple of 4, 16 to 16384 texels; half as many rows
+  std::size_t width = 2048;  ///< [texels], 16 to 16384, a multiple of 4; the height is half of it
   TextureContent content{};  ///< colour space and number type
   bool moon = false;         ///< whether to include the Moon itself, as a uniform disc
-  double ground_albedo = 0;  ///< below the horizon, 0 to 1; 0: black
+  double ground_albedo = 0;  ///< albedo of the ground below the horizon, 0 (black) to 1
 };
 
-/// Describes a dome's parameters: width, Moon, ground, space and type.
+/// Describes a dome's parameters: its width, the Moon, the ground's albedo, the colour space and the number type.
 void describe(request::Parameters& is, DomeRequest& dome);
 
-/// Throws  Error  when one of the dome's numbers is outside its range
+/// Throws  Error  if one of the dome's settings is outside its permitted range
 void require_sound(const DomeRequest& dome);
 
-/// What a dome shows, in numbers.
+/// Summary of a dome's light: illuminances, zenith luminance, extinction, and the altitudes of the Moon and the Sun.
 struct DomeFigures {
-  double zenith_cd_m2 = 0;  ///< without stars
-  double sky_lx = 0;        ///< from the sky and stars on level ground, without the Moon itself
+  double zenith_cd_m2 = 0;  ///< luminance of the zenith, without stars
+  double sky_lx = 0;        ///< on level ground, from the sky and stars without the Moon itself
   double moon_lx = 0;       ///< from the Moon, on a surface that faces it
-  povray_scenes::HorizonPlace moon;  ///< apparent place, with refraction
-  algebra::Angle sun_altitude;       ///< airless
+  povray_scenes::HorizonPlace moon;  ///< apparent place, including refraction
+  algebra::Angle sun_altitude;       ///< without refraction
   double extinction_mag = 0;
 };
 
@@ -60,33 +60,33 @@ void describe(Field&& is, const DomeFigures& sky) {
 /// Luminance of the night sky in all directions.
 struct Dome {
   texture::Image light;            ///< in the requested colour space [cd/m²]
-  texture::Attributes attributes;  ///< for a file's header
+  texture::Attributes attributes;  ///< for the image file's header
   DomeFigures figures{};
 };
 
-/// Clear night sky over an observer as a latitude–longitude picture: zenith at the top, horizon half-way down,
-/// north in the middle column, and east to its right, at three quarters of the width. It is seen from inside, and not
-/// mirrored.
+/// Picture of the clear night sky over an observer, in a latitude–longitude projection. The zenith is at the top, the
+/// horizon half-way down, north in the middle column, and east at three quarters of the width. The sky is seen from
+/// inside and is not mirrored.
 ///
-/// Luminance comes from ClearSky. Stars and planets are points: each spreads its light over the four texels around
-/// it, so that luminance times solid angle adds up to its illuminance through the air. The Moon, if asked for, is a
-/// uniform disc with the illuminance from brightness_of; leave it out if the scene has a Moon as geometry. The ground
-/// is diffuse and lit by sky, stars and Moon.
+/// The sky's luminance comes from ClearSky. Stars and planets are points. Each is spread over the four nearest texels,
+/// whose luminance times solid angle adds up to the star's illuminance through the air. The Moon, if requested, is a
+/// uniform disc with the illuminance from brightness_of. Leave it out if the scene contains a Moon of its own. The
+/// ground is diffuse and lit by the sky, the stars and the Moon.
 ///
-/// Colours: moonlight as scattered by air (ScatteredColour), from a Moon with the eclipse's B − V and V − R; twilight
-/// as in atmosphere::TwilightSky; airglow with B − V = 1.03 and V − R = 0.74 (Patat 2003); stars as in StarLights.
+/// Moonlight is scattered as in ScatteredColour, with the eclipsed Moon's B − V and V − R. Twilight has the colour from
+/// atmosphere::TwilightSky, airglow has B − V = 1.03 and V − R = 0.74 (Patat 2003), and stars are as in StarLights.
 ///
-/// Given     moon      at any moment; below the horizon it lights nothing
-///           view      its observer, air and stars (to V = 6.5 unless it says how faint)
-/// Returned  [cd/m²]   finite and not below 0 in every direction
-/// Accuracy  as ClearSky; 1e-3 in the illuminance from stars, 1e-2 in that from the Moon
-/// Omits     towns, Milky Way and zodiacal light, clouds, stars that a high place sees below the horizontal
-/// Throws    Error     without an observer; as require_sound, air_over; when a catalogue is damaged
+/// Given     moon      at any moment; when it is below the horizon it gives no light
+///           view      gives the observer, the air and the stars (down to V = 6.5 unless it sets another limit)
+/// Returned  [cd/m²]   finite and not negative in every direction
+/// Accuracy  that of ClearSky; 1e-3 in the illuminance from stars, 1e-2 in the illuminance from the Moon
+/// Omits     towns, Milky Way, zodiacal light, clouds, and stars that a high observer sees below the horizontal
+/// Throws    Error     if there is no observer or a catalogue is damaged; also as require_sound and air_over
 /// Source    colours of the night: Patat (2003), A&A 400, 1183
 Dome dome_over(const DomeRequest& request, const LitMoon& moon, const ViewRequest& view);
 
-/// Writes a sky without stars, for a renderer that draws its own. The first row below the horizon repeats the row above
-/// it, so that the horizon stays bright in a renderer that interpolates rows.
+/// Writes a picture of the sky without stars, for a renderer that draws the stars itself. The first row below the
+/// horizon repeats the row above, so that the horizon stays bright if the renderer interpolates between rows.
 void write_sky(const std::filesystem::path& file, const LitMoon& moon, ViewRequest view,
                const DomeRequest& dome = {.width = 1024});
 

@@ -38,10 +38,10 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Numbers of wavelengths, and of terms for the Sun's disc, that light is summed over.
+/// Number of wavelengths, and number of terms that describe the Sun's disc, in the page's sums of light.
 constexpr int bands = 40, sun_terms = 3;
 
-/// Time shown before the first contact and after the last [s].
+/// Time by which the page's time range extends before the first contact and after the last [s].
 constexpr double margin_s = 600;
 
 constexpr std::size_t map_rows = 1024;
@@ -57,7 +57,7 @@ std::vector<std::string> views_shown() {
   return views;
 }
 
-/// Milliseconds since 1970 as counted by JavaScript's Date, in which every UTC day has 86 400 s.
+/// Milliseconds since 1970 in JavaScript's Date, which ignores leap seconds.
 double unix_ms(const almanac::Instant& when) {
   const auto text = almanac::utc_text(when, 3);
   const auto date = text.substr(0, text.find('T'));
@@ -70,11 +70,11 @@ double unix_ms(const almanac::Instant& when) {
          almanac::seconds_between(almanac::instant_from_utc(date), when) * 1e3;
 }
 
-/// Surge that the highest code in the ground map stands for. The lowest code stands for its negative.
+/// Opposition surge that is coded as 255 in the ground map. Its negative is coded as 0.
 constexpr double widest_surge = 0.8;
 constexpr std::size_t ground_rows = 180, ground_columns = 198;
 
-/// Adds the colour and surge of the visible ground, each coded in 256 equal steps.
+/// Adds maps of the visible ground's colour and opposition surge, each coded in 256 equal steps.
 ordered_json add_ground(PageArrays& arrays, const surface::Ground* ground) {
   constexpr std::size_t columns = 2 * ground_rows, first = (columns - ground_columns) / 2;
   std::vector<std::uint8_t> coded;
@@ -98,7 +98,7 @@ ordered_json add_ground(PageArrays& arrays, const surface::Ground* ground) {
           {"longitudes", ground_columns}};
 }
 
-/// Adds the albedo of the visible ground, coded in 256 steps with equal ratios.
+/// Adds the visible ground's albedo map, coded in 256 logarithmic steps.
 ordered_json add_map(PageArrays& arrays, const MoonRequest& request) {
   const auto albedo = normal_albedo(request);
   const auto ground = ground_of(request, albedo);
@@ -126,8 +126,8 @@ ordered_json add_map(PageArrays& arrays, const MoonRequest& request) {
           {"longitudes", 360. * static_cast<double>(width) / columns}};
 }
 
-/// Adds the Sun's disc, and the weights with which the channels red, green, blue and V sum its light, first on the
-/// reddest ground, then on the bluest.
+/// Adds the brightness across the Sun's disc, and the weights of all wavelengths in the channels red, green, blue and
+/// V. There are two sets of weights, for the Moon's reddest ground and for its bluest.
 ordered_json add_sunlight(PageArrays& arrays, bool limb_darkening,
                           const std::vector<double>& wavelengths) {
   const auto terms = photons::disc_terms(wavelengths, limb_darkening, sun_terms);
@@ -154,7 +154,7 @@ ordered_json add_sunlight(PageArrays& arrays, bool limb_darkening,
           {"VAt1au", meter.sunlight[V_band]}};
 }
 
-/// Adds vertical optical depths for the air above an observer at sea level, as in `still`: molecules, ozone, aerosol.
+/// Adds vertical optical depths of molecules, ozone and aerosol above sea level, with the default air for observers.
 void add_observer_air(PageArrays& arrays, const std::vector<double>& wavelengths) {
   const ViewRequest usual;
   const atmosphere::ObserverAir air{.ozone_du = usual.observer_ozone_du,
@@ -169,11 +169,12 @@ void add_observer_air(PageArrays& arrays, const std::vector<double>& wavelengths
   arrays.add("observer.depths", depths);
 }
 
-/// Adds base-2 logarithms of the clear sky's light around the Moon [cd/m²], linear Rec.709, at two elevations. Light
-/// without the Moon goes by the Sun's altitude and by how far the Moon is above the antisolar point. Airglow on a dark
-/// night, and moonlight, go by the square root of the Moon's altitude. All altitudes are true.
+/// Adds tables of the clear sky's light around the Moon [log2 cd/m², linear Rec.709] for observers at two elevations.
+/// The light without moonlight is tabulated by the Sun's altitude and by the Moon's altitude above the antisolar point.
+/// Airglow on a dark night and scattered moonlight are tabulated by the square root of the Moon's altitude. All
+/// altitudes are without refraction.
 ///
-/// Returned  first nodes and steps [degrees]
+/// Returned  first value and step of each table's variable [degrees]
 ordered_json add_sky(PageArrays& arrays, almanac::SkyState sky) {
   constexpr std::array elevations_km{0., 4.};
   constexpr std::size_t sun_nodes = 45, beside_nodes = 5, up_nodes = 20;
@@ -188,7 +189,7 @@ ordered_json add_sky(PageArrays& arrays, almanac::SkyState sky) {
     const almanac::Observer place{{}, {}, algebra::kilometres(km)};
     const auto stand = almanac::view_from(place, sky);
     const auto air = air_over(place, {});
-    // the Sun in the north, the Moon in the south
+    // puts the Sun in the north and the Moon in the south
     const auto sky_over = [&](double sun_deg, double moon_deg, double V) {
       const auto put = [&](double distance_m, double altitude_deg, double to_north) {
         const double altitude = algebra::in_radians(algebra::degrees(altitude_deg));
@@ -224,11 +225,11 @@ ordered_json add_sky(PageArrays& arrays, almanac::SkyState sky) {
           {"moonV", moon_V}};
 }
 
-/// Axes of a view's table: equal steps of log2(1 + gain x) / stops, from 0 to 1.
+/// A view's table has equal steps of log2(1 + gain x) / stops from 0 to 1 along each axis, where x is a colour channel.
 constexpr int table_size = 33;
 constexpr double table_gain = 1024, table_stops = 17;
 
-/// Adds one view of the sRGB display as a table of colours.
+/// Adds the table of display colours for one view of the sRGB display.
 void add_view(PageArrays& arrays, const std::string& view) {
   const auto level = [](int i) {
     return static_cast<float>((std::exp2(table_stops * i / (table_size - 1.)) - 1) / table_gain);
@@ -284,7 +285,7 @@ void add_names(PageArrays& arrays) {
   arrays.add("features", text);
 }
 
-/// Names and times of the contacts.
+/// Names of the contacts, and their times [ms].
 ordered_json contacts_in_ms(const eclipse::Eclipse& eclipse) {
   ordered_json all;
   for (const auto& [name, when] : eclipse::contacts_of(eclipse))
@@ -292,7 +293,7 @@ ordered_json contacts_in_ms(const eclipse::Eclipse& eclipse) {
   return all;
 }
 
-/// Clearness for each step on Danjon's scale. Air without belts gives an empty list.
+/// Clearness of the air for each step of Danjon's scale. The list is empty if the air has no belts.
 ordered_json danjon_steps(const atmosphere::Atmosphere& air, const almanac::SkyState& sky) {
   ordered_json steps = ordered_json::array();
   if (air.belts.empty()) return steps;
@@ -301,14 +302,14 @@ ordered_json danjon_steps(const atmosphere::Atmosphere& air, const almanac::SkyS
   return steps;
 }
 
-/// Abbreviations for the cities' time zones at two moments: {"America/Chicago": ["CDT", "CDT"]}.
+/// Abbreviations of the cities' time zones at two moments, such as {"America/Chicago": ["CDT", "CDT"]}.
 ordered_json zones_at(const almanac::Instant& from, const almanac::Instant& to) {
   std::set<std::string> names;
   for (const auto& city : almanac::largest_cities(cities)) names.insert(city.time_zone);
   ordered_json zones = ordered_json::object();
   for (const auto& name : names) try {
       zones[name] = {local_time(from, name).abbreviation, local_time(to, name).abbreviation};
-    } catch (const algebra::Error&) {  // the system does not know it
+    } catch (const algebra::Error&) {  // unknown time zones are left out
     }
   return zones;
 }

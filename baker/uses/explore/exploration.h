@@ -13,35 +13,34 @@
 
 namespace coppermoon::uses {
 
-/// Request for the interactive page of one eclipse.
 struct ExploreRequest {
-  MoonRequest moon{};  ///< map and photometry; of its light, only air and Sun are used
-  std::optional<almanac::Observer> observer{};  ///< when the page opens; absent: the Earth's centre
-  std::string place{}, time_zone{};             ///< the observer's
-  std::string options{};                        ///< appended to each command that the page shows
+  MoonRequest moon{};  ///< only the map, the photometry, the air and the Sun are used
+  std::optional<almanac::Observer> observer{};  ///< initial observer; if absent, the Earth's centre
+  std::string place{}, time_zone{};             ///< observer's place name and time zone
+  std::string options{};                        ///< appended to every command that the page shows
 };
 
-/// Numbers with which a page can light the Moon at any moment of one eclipse.
+/// Data from which a page can compute the light on the Moon at any moment of one eclipse.
 struct Exploration {
-  std::string title;  ///< "Total eclipse of the Moon, 2018-07-27"
+  std::string title;  ///< such as "Total eclipse of the Moon, 2018-07-27"
   nlohmann::ordered_json facts;
   PageArrays arrays;
 };
 
-/// Gathers limb rays, motions, albedo, responses, views, places and names. No light is computed here: the page sums it
-/// from the rays, as shadow::by_quadrature does.
+/// Collects the data for a page: limb rays, motions, albedo, colour responses, views, cities and lunar features. The
+/// page itself sums the refracted light from the rays, as shadow::by_quadrature does.
 ///
 /// Throws  Error  as normal_albedo and atmosphere_of
 Exploration exploration_of(const eclipse::Eclipse& eclipse, const ExploreRequest& request,
                            const algebra::Progress& progress = {});
 
-/// Extent of the HTML: a whole page, or a fragment to embed in another page.
+/// Whether to write a whole HTML page, or a fragment to embed in another page.
 enum class PageExtent { whole, fragment };
 
-/// The page as HTML that needs no other files and no network.
+/// The interactive page as self-contained HTML, which needs no other files and no network.
 std::string page_of(const Exploration& exploration, PageExtent extent = PageExtent::whole);
 
-/// A page that lists eclipses, with links to their pages.
+/// HTML page that lists eclipses and links to their interactive pages.
 ///
 /// Given  pages  file names of the pages, one for each eclipse
 std::string calendar_page(const std::vector<eclipse::Eclipse>& eclipses,

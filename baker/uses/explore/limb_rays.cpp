@@ -25,8 +25,8 @@ using nlohmann::ordered_json;
 
 constexpr int refractivities = 3;
 
-/// Number of harmonics in position angle. With belts, light differs by at most 0.2 % from the sum of all harmonics.
-/// Borders of regions are smoothed over some ten degrees.
+/// Number of harmonics of position angle in the limb's series. If the air has belts, the light is within 0.2 % of the
+/// full series. Borders of regions are smoothed over about ten degrees.
 constexpr int most_harmonics = 24;
 
 std::vector<double> tangent_heights_m(const atmosphere::Atmosphere& air) {
@@ -35,7 +35,7 @@ std::vector<double> tangent_heights_m(const atmosphere::Atmosphere& air) {
     for (double h = heights.empty() ? 0 : heights.back() + step; h <= to && h <= air.top_m();
          h += step)
       heights.push_back(h);
-  for (const auto* column : air.columns()) {  // edges of dust and cloud
+  for (const auto* column : air.columns()) {  // adds the edges of dust and cloud layers
     if (column->dust_extinction_per_m > 0)
       heights.insert(heights.end(), {column->dust_bottom_m, column->dust_top_m});
     if (column->cloud_cover > 0) heights.push_back(column->cloud_top_m);
@@ -47,7 +47,7 @@ std::vector<double> tangent_heights_m(const atmosphere::Atmosphere& air) {
   return heights;
 }
 
-/// Whether ozone acts as a filter, with the same optical depth on every path.
+/// Whether ozone is treated as a filter that has the same optical depth for every ray.
 bool ozone_filters(const Column& column) {
   return column.ozone_du > 0 && column.ozone_path == atmosphere::OzonePath::filter;
 }
@@ -58,12 +58,12 @@ void set_aerosol(Column& column, double depth) {
       std::make_shared<atmosphere::StratosphericLayer>(depth, column.tropopause_m);
 }
 
-/// Rays for one part of the limb: its rows in the arrays.
+/// Data for the rays of one part of the limb, in the order of the page's arrays.
 struct PartRays {
   std::vector<double> bending, excess_km, amounts, spectra, aerosol;
 };
 
-/// The rows of all parts, one after another.
+/// Concatenates one of the arrays over all parts of the limb.
 std::vector<double> joined(const std::vector<PartRays>& parts,
                            std::vector<double> PartRays::*rows) {
   std::vector<double> all;
@@ -108,9 +108,9 @@ struct Follower {
     }
   }
 
-  /// Adds the aerosol's optical depths along rays at the middle refractivity.
+  /// Adds the optical depths of stratospheric aerosol along rays that are traced at the middle refractivity.
   void add_aerosol(const photons::WholeLimb::Part& part, PartRays& rays) const {
-    const double middle = nodes[(nodes.size() - 1) / 2];  // the last node has straight rays
+    const double middle = nodes[(nodes.size() - 1) / 2];  // leaves out the last node, which is 0
     for (const double depth : aerosol_steps) {
       Column hazy = part.column;
       set_aerosol(hazy, depth);
@@ -125,7 +125,7 @@ struct Follower {
 
 double stratospheric_depth(const Column& column) {
   if (column.stratospheric_layer) return column.stratospheric_layer->optical_depth();
-  constexpr std::array depths{0., 0.008, 0.028, 0.086, 0.262};  // of StratosphericAerosol
+  constexpr std::array depths{0., 0.008, 0.028, 0.086, 0.262};  // for each StratosphericAerosol
   return depths[static_cast<std::size_t>(column.stratosphere)];
 }
 
@@ -161,7 +161,7 @@ void add_spectra_of_aerosol(PageArrays& arrays, std::span<const double> waveleng
   arrays.add("limb.aerosolSpectra", spectra);
 }
 
-/// Adds spectra of the month's own aerosol at each optical depth, for parts that have such aerosol.
+/// Adds spectra of the stratospheric aerosol recorded in the month, for each of aerosol_steps; 0 if none was recorded.
 void add_recorded_spectra(PageArrays& arrays, const photons::WholeLimb& limb,
                           std::span<const double> wavelengths_nm) {
   std::vector<double> numbers;
@@ -178,7 +178,7 @@ void add_recorded_spectra(PageArrays& arrays, const photons::WholeLimb& limb,
              {limb.parts().size(), std::size(aerosol_steps), wavelengths_nm.size()}, numbers);
 }
 
-/// The air with the same optical depth of stratospheric aerosol everywhere.
+/// Returns the air with its stratospheric aerosol replaced by a layer of the same optical depth everywhere.
 atmosphere::Atmosphere with_aerosol(atmosphere::Atmosphere air, double depth) {
   const auto set = [&](Column& column, atmosphere::Belts& belts) {
     set_aerosol(column, depth);
@@ -195,7 +195,7 @@ ordered_json add_limb_rays(PageArrays& arrays, const atmosphere::Atmosphere& atm
                            std::span<const double> wavelengths_nm) {
   Follower follower{
       tangent_heights_m(atmosphere), {}, shadow::optics_of(atmosphere, wavelengths_nm)};
-  // only the limb's parts are needed here, so use the fewest wavelengths and rays allowed
+  // one wavelength and two rays suffice, because only the limb's division into parts is needed
   const photons::WholeLimb limb(atmosphere, std::span(follower.optics).first(1), 2);
   const auto& first = limb.parts()[0].column;
   follower.nodes = photons::refractivity_nodes(first, follower.optics, refractivities);

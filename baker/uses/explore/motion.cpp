@@ -24,7 +24,7 @@ using std::numbers::pi;
 
 constexpr int nodes = 14;
 
-/// Names of the series, with the number of components in each.
+/// Names of the series, and the number of components in each.
 const std::vector<std::pair<const char*, int>> parts{
     {"centre", 3}, {"sunDistance", 1}, {"moonFrame", 9}, {"equatorFrame", 9}};
 
@@ -33,13 +33,13 @@ void append(std::vector<double>& all, const glm::dmat3& matrix) {
     for (int row = 0; row < 3; ++row) all.push_back(matrix[column][row]);
 }
 
-/// Right ascension of the zenith at the point where the equator crosses Greenwich's meridian.
+/// Greenwich sidereal time [rad], as the right ascension of the zenith at latitude 0 and longitude 0.
 double sidereal_time(const almanac::SkyState& sky) {
   const auto zenith = sky.equator_from_gcrs * almanac::view_from({}, sky).zenith;
   return std::atan2(zenith.y, zenith.x);
 }
 
-/// The components of all series at one moment, one after another.
+/// Values of all components at one moment, in the order of the series in `parts`.
 std::vector<double> positions_at(const almanac::Instant& when) {
   const auto sky = almanac::sky_at(when);
   const auto axis = eclipse::shadow_axis(sky);

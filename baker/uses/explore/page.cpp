@@ -10,7 +10,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// The text with some characters replaced by escapes.
+/// Replaces each character of a text that has an entry in `escapes` by its escape.
 std::string escaped(const std::string& text, const std::map<char, const char*>& escapes) {
   std::string safe;
   for (const char letter : text) {
@@ -24,8 +24,8 @@ std::string in_html(const std::string& text) {
   return escaped(text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}});
 }
 
-/// The page's own part, which shows a message until its script starts. In its JSON, "<" is escaped, so that it
-/// cannot end a script or begin a comment.
+/// HTML for the interactive part of the page, which shows a message until the script starts. In embedded JSON, "<" is
+/// escaped so that it can neither end the script element nor begin a comment.
 std::string fragment_of(const Exploration& exploration, PageExtent extent) {
   auto facts = exploration.facts;
   facts["arrays"] = exploration.arrays.index();

@@ -37,7 +37,7 @@ void PageArrays::begin(const std::string& name, const char* kind, const Shape& s
       std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
   if (wanted != count)
     throw algebra::Error(fmt::format("{}: has {} values, allowed {}", name, count, wanted));
-  bytes_.resize((bytes_.size() + 3) / 4 * 4);  // numbers must start at multiples of their size
+  bytes_.resize((bytes_.size() + 3) / 4 * 4);  // floats must start at a multiple of 4
   index_[name] = {{"kind", kind}, {"shape", shape}, {"at", bytes_.size()}};
 }
 

@@ -13,36 +13,35 @@
 
 namespace coppermoon::uses {
 
-/// Arrays for a page's script: little-endian, one after another, compressed together.
+/// Arrays of little-endian data for the page's script, which are stored one after another and compressed together.
 class PageArrays {
  public:
-  using Shape = std::vector<std::size_t>;  ///< the last index varies fastest
+  using Shape = std::vector<std::size_t>;  ///< array dimensions; the last index varies fastest
 
   /// Adds numbers as 32-bit floats.
   ///
-  /// Throws  Error  when a number is not finite, or their count does not match the shape
+  /// Throws  Error  if a number is not finite, or if the count of numbers does not match the shape
   void add(const std::string& name, const Shape& shape, std::span<const double> numbers);
   void add(const std::string& name, const algebra::Grid<double>& numbers) {
     add(name, {numbers.rows(), numbers.columns()}, numbers.values());
   }
 
-  /// Adds bytes, each as the difference from the previous byte in its row, which compresses better.
+  /// Adds bytes. Each is stored as its difference from the previous byte in the row, because this compresses better.
   ///
-  /// Throws  Error  when their count does not match the shape
+  /// Throws  Error  if the count of bytes does not match the shape
   void add(const std::string& name, const Shape& shape, const std::vector<std::uint8_t>& bytes);
 
-  /// Adds UTF-8 text.
+  /// Adds UTF-8 text as an array of bytes.
   void add(const std::string& name, std::string_view text);
 
-  /// Appends all arrays from another object.
   void append(const PageArrays& others);
 
-  /// Where each array is: {name: {"kind": "f32", "u8" or "text", "shape": […], "at": byte}}.
+  /// Positions of the arrays in the data: {name: {"kind": "f32", "u8" or "text", "shape": […], "at": byte}}.
   const nlohmann::ordered_json& index() const { return index_; }
 
   /// All arrays, compressed in zlib's format (RFC 1950) and encoded as base64.
   ///
-  /// Throws  Error  when memory runs out
+  /// Throws  Error  if memory runs out
   std::string text() const;
 
  private:

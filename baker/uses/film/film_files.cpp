@@ -25,13 +25,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Given  file  may be empty
+/// Refuses a file whose name does not end in `ending`. An empty path is accepted.
 void require_ending(const fs::path& file, const char* what, const char* ending) {
   if (!file.empty() && file.extension() != ending)
     throw algebra::Error(fmt::format("{}: a {} ends in {}", file.string(), what, ending));
 }
 
-/// Refuses a file in the film's folder that has the name of a frame's file.
+/// Refuses a file that has the same name as a file of one of the film's frames.
 void require_no_frame(const fs::path& file, Film film) {
   film.products = {.textures = true, .frames = true, .pictures = true, .high_range = true};
   film.bracket_ev = 1;
@@ -42,7 +42,7 @@ void require_no_frame(const fs::path& file, Film film) {
             fmt::format("{}: is the name of a frame, allowed another", file.string()));
 }
 
-/// Refuses a path where no file can be written; the film's own folder need not exist yet.
+/// Refuses a path where no file can be written. The film's folder need not exist yet.
 void require_place_for(const fs::path& file, const Film& film) {
   if (file.empty()) return;
   const auto folder = fs::weakly_canonical(fs::absolute(file)).parent_path();
@@ -57,22 +57,22 @@ void require_product(bool made, const fs::path& file, const char* what, const ch
                                      file.string(), what, product));
 }
 
-/// Brightness of the whole disc in a frame, above the air, as seen from the Earth's centre.
+/// Brightness of the Moon's whole disc in one frame, as seen from the Earth's centre, without the effect of air.
 struct CurvePoint {
   std::size_t frame;
   almanac::Instant when;
-  double V_magnitude;  ///< apparent; infinite when nothing is lit
+  double V_magnitude;  ///< apparent magnitude; infinite if no part of the Moon is lit
   double mean_luminance_cd_m2;
 };
 
 using Curve = std::vector<CurvePoint>;
 
-/// Light curve over some frames, from the film's own light.
+/// Light curve for the given frames, computed from the film's light.
 ///
-/// Accuracy  agrees with brightness_of, which simulates each moment on twice as many rows, to 5e-4 mag, and to the same
-///           fraction in luminance
+/// Accuracy  5e-4 in magnitude and in relative luminance, compared with brightness_of, which simulates each moment
+///           separately and uses twice as many rows
 Curve curve_of(const Film& film, const std::vector<std::size_t>& frames) {
-  constexpr std::size_t rows = 180;  // in the textures that are measured
+  constexpr std::size_t rows = 180;  // of the textures used to measure brightness
   const MoonSurvey survey(film.moon, texture::resized(normal_albedo(film.moon), rows), *film.light);
   Curve curve(frames.size());
   tbb::parallel_for(std::size_t{0}, frames.size(), [&](std::size_t i) {
@@ -83,7 +83,7 @@ Curve curve_of(const Film& film, const std::vector<std::size_t>& frames) {
   return curve;
 }
 
-/// A number as text; empty if it is not finite.
+/// A number as text. The text is empty if the number is not finite.
 std::string number(double value, int decimals) {
   return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "";
 }
@@ -98,7 +98,7 @@ std::string as_csv(const eclipse::Eclipse& eclipse, const Curve& curve) {
   return text;
 }
 
-/// The curve for one panel: a column against hours.
+/// The curve in one panel of the plot: the given member of each point against hours from greatest eclipse.
 PlotCurve drawn(const eclipse::Eclipse& eclipse, const Curve& curve, double CurvePoint::*column) {
   std::string data;
   for (const auto& point : curve)
@@ -136,7 +136,7 @@ double exposure_scale_of(const Development& development, const fs::path& frame) 
                    number_in_header(frame, "isoSpeed")});
 }
 
-/// Adds a frame's exposure to the film, which is empty before the first frame.
+/// Adds the light of one exposed frame to a multiple exposure, which is empty before the first frame.
 void expose(const Development& development, texture::Image& film, const fs::path& frame) {
   const auto image = texture::read_image(frame);
   if (film.values.empty()) film = texture::Image(image.width, image.height, image.channels);
@@ -152,14 +152,14 @@ void expose(const Development& development, texture::Image& film, const fs::path
   }
 }
 
-/// Multiple exposure: the sum of scene-linear frames, each exposed as its header says, developed as one picture.
+/// Writes a multiple exposure: a single picture developed from the sum of linear frames, each scaled by its exposure.
 ///
-///     value = Σ s L        s: exposure_scale of the frame
+///     value = Σ s L        s: scale for a frame's exposure, L: value of a pixel in that frame
 ///
-/// If the frames hold a sky, each pixel is instead the greatest s L, as when photographers blend in lighten mode: a sum
-/// would add up many skies.
+/// If the frames show the sky, each pixel is instead the greatest s L, like photographers' lighten mode, because a sum
+/// would add the sky many times.
 ///
-/// Omits   occultation where Moons overlap
+/// Omits   occlusion where images of the Moon overlap
 /// Throws  Error  when a frame cannot be read, differs in size from the first, or has no exposure in its header
 void write_composite(const fs::path& path, const Film& film,
                      const std::vector<std::size_t>& frames) {

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Name of a numbered file without its number: "frame" and ".png" for "frame.0012.png".
+/// The parts of a numbered file's name before and after the number: "frame" and ".png" for "frame.0012.png".
 std::pair<std::string, std::string> around_number(const fs::path& file) {
   return {file.stem().stem().string(), file.extension().string()};
 }
@@ -30,7 +30,7 @@ bool is_number(const std::string& text) {
   return !text.empty() && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Files in the folder that are named as the film's frames are, whatever their number.
+/// Files in the film's folder that have names like those of the film's frames, whatever number the names contain.
 std::vector<fs::path> numbered_files(const Film& film) {
   std::set<std::pair<std::string, std::string>> own;
   for (const auto& file : film.files(film.moments.first_frame)) own.insert(around_number(file));
@@ -44,18 +44,18 @@ std::vector<fs::path> numbered_files(const Film& film) {
   return files;
 }
 
-/// A file that may not belong to the film.
+/// A file in the film's folder that possibly does not belong to the film.
 struct Foreign {
   fs::path file;
-  std::string contents;  ///< in words; empty if the file belongs to this film, or is damaged
+  std::string contents;  ///< in words; empty if the file belongs to this film or is damaged
 };
 
 std::string contents_of(const Film& film, const fs::path& file) {
-  if (fs::is_symlink(file)) return "a link";  // writing through it would change a file elsewhere
+  if (fs::is_symlink(file)) return "a link";  // writing to a link would change another file
   return film.record.foreign_contents(file);
 }
 
-/// Files beside the frames that the film would overwrite: its light and its scene.
+/// Existing files, other than those of frames, that making the film would overwrite: its light and its scene.
 std::vector<fs::path> files_beside_frames(const Film& film) {
   std::vector<fs::path> files{film.folder / light_file};
   if (film.products.scenes)
@@ -65,7 +65,8 @@ std::vector<fs::path> files_beside_frames(const Film& film) {
   return files;
 }
 
-/// What a link, or a file that coppermoon did not write, contains, in words. film_light refuses another film's light.
+/// Describes a light or scene file that is a link or was not written by coppermoon. The text is empty for any other
+/// file. Another film's light is refused by film_light instead.
 std::string contents_beside_frames(const fs::path& file) {
   if (fs::is_symlink(file)) return "a link";
   const bool ours = file.filename() == light_file ? is_light(file) : files::is_stamped(file);
@@ -84,7 +85,7 @@ std::vector<Foreign> foreign_files(const Film& film) {
   return all;
 }
 
-/// Whether a file is whole, by its seal or by PNG's own checksums.
+/// Whether a file is whole, according to its seal or, if it is a PNG, to the checksums in it.
 bool is_whole(const fs::path& file) {
   return file.extension() == ".png" ? texture::read_image(file).width > 0
                                     : texture::is_sealed(file);

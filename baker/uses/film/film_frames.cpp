@@ -46,13 +46,13 @@ BakedMoon texture_of(const Film& film, const LitMoon& lit, std::size_t frame) {
   const auto extent =
       film.products.textures ? texture::Extent::whole : texture::Extent::seen_from_earth;
   auto content = film.content;
-  if (film.products.framed()) {  // textures are for POV-Ray
+  if (film.products.framed()) {  // POV-Ray reads the texture
     content.space = picture_space;
     content.passes = false;
   }
   auto header = header_of(film, frame);
   auto moon = baked(lit, content, {.extent = extent, .recipe = [](const auto&, const auto&) {
-                                     return std::string();  // the film's is in the header
+                                     return std::string();  // the film's recipe is in the header
                                    }});
   for (const auto& [name, value] : header) moon.attributes[name] = value;
   moon.attributes["framesPerSecond"] =
@@ -69,7 +69,7 @@ void write_texture(const Film& film, std::size_t frame, const BakedMoon& moon) {
                            type_of(film.content));
 }
 
-/// Exposure time at a moment [s]: interpolated between keys on a logarithmic scale; constant beyond the outermost keys.
+/// Exposure time at a moment [s]. It is interpolated logarithmically between keys and constant beyond the outer keys.
 double keyed_time_s(const Film& film, const almanac::Instant& when) {
   const auto& keys = film.time_keys;
   const auto above = std::ranges::find_if(
@@ -82,7 +82,7 @@ double keyed_time_s(const Film& film, const almanac::Instant& when) {
   return before * std::pow(above->second / before, share);
 }
 
-/// A frame's scene and what is known about it: nothing for a user's own scene, in which the disc may be anywhere.
+/// A frame's scene and what is seen in it. For a user's scene, `seen` is empty, because the Moon may be anywhere in it.
 struct Rendered {
   std::size_t frame;
   LitScene scene;
@@ -128,7 +128,7 @@ void write_pictures(const Film& film, const Rendered& rendered, const texture::I
   write(film.picture(frame, "frame_over"), *film.bracket_ev);
 }
 
-/// Writes a frame and its pictures.
+/// Writes a rendered frame's linear file and pictures, if the film is to have them.
 ///
 /// Given  frame  in the film's colour space
 MadeFrame finished(const Film& film, const Rendered& rendered, const LinearFrame& frame) {
@@ -147,7 +147,7 @@ MadeFrame finished(const Film& film, const Rendered& rendered, const LinearFrame
 
 using WhenMade = std::function<void(const MadeFrame&)>;
 
-/// Has the user's scene rendered for each frame, and develops it.
+/// Has POV-Ray render the user's scene for each frame, and develops each rendered frame.
 void render_scene(const Film& film, Frames frames, int threads, const WhenMade& when_made) {
   for (const std::size_t frame : frames) {
     const auto rendered = rendered_of(film, frame);
@@ -156,7 +156,7 @@ void render_scene(const Film& film, Frames frames, int threads, const WhenMade& 
   }
 }
 
-/// Bakes a batch of frames, has one POV-Ray process render them, and develops each frame as it arrives.
+/// Bakes the textures for a batch, has one POV-Ray process render its frames, and develops each frame once rendered.
 void render(const Film& film, Frames frames, int threads, const WhenMade& when_made) {
   const files::TemporaryFolder folder;
   const auto texture_file = [&](std::size_t number) {
@@ -176,7 +176,7 @@ void render(const Film& film, Frames frames, int threads, const WhenMade& when_m
     } else {
       texture::write_exr(path, moon.parts, moon.attributes, {.packed = false});
     }
-    moon.parts.clear();  // they are written, and would keep the light in memory
+    moon.parts.clear();  // already written; they would keep the light in memory
     sequence.cameras.push_back(scene.view.camera);
     lights.push_back(sky_lights(scene.view, scene.moon.sky));
   }
@@ -197,7 +197,7 @@ void render(const Film& film, Frames frames, int threads, const WhenMade& when_m
       {.threads = threads, .window = disc_window(sequence.cameras)});
 }
 
-/// Rewrites a linear frame's header and pictures for another exposure; its pixels stay.
+/// Rewrites the header of an existing linear frame, and its pictures, for another exposure. Its pixels stay the same.
 void expose(const Film& film, std::size_t frame, const WhenMade& when_made) {
   const auto rendered = rendered_of(film, frame);
   if (film.products.textures && !is_own(film, film.texture(frame), frame))
@@ -219,8 +219,8 @@ double texels_of(const Film& film) {
   return width * width / 2;
 }
 
-/// Number of batches at a time: one more than there are processors, since POV-Ray sleeps when it starts, but within
-/// half of the memory. POV-Ray takes 28 bytes per texel.
+/// Number of batches to make at the same time: one more than there are processors, because POV-Ray sleeps on starting,
+/// but only as many as fit into half of the memory. POV-Ray needs 28 bytes per texel.
 std::size_t lanes_of(const Film& film, std::size_t processors) {
   if (processors == 1) return 1;
   const auto [width, height] = std::pair(film.view.width, film.view.height);
@@ -232,8 +232,8 @@ std::size_t lanes_of(const Film& film, std::size_t processors) {
   return static_cast<std::size_t>(std::min(most, static_cast<double>(processors + 1)));
 }
 
-/// Number of frames that one POV-Ray process renders: their textures take at most 256 MB, and every lane gets at least
-/// two batches, so that all finish at about the same time.
+/// Number of frames that one POV-Ray process renders. It is small enough for their textures to take at most 256 MB, and
+/// for every lane to get at least two batches, so that all lanes finish at about the same time.
 std::size_t frames_a_batch(const Film& film, std::size_t frames, std::size_t lanes) {
   if (!film.products.rendered()) return 1;
   constexpr double waiting = 256e6, most = 16;
@@ -241,7 +241,7 @@ std::size_t frames_a_batch(const Film& film, std::size_t frames, std::size_t lan
   return std::min(static_cast<std::size_t>(fit), std::max<std::size_t>(1, frames / (2 * lanes)));
 }
 
-/// The frames that are not made yet; calls events.kept for the others.
+/// The frames that have not been made yet. Calls events.kept for each of the others.
 std::vector<std::size_t> missing_of(const Film& film, const std::vector<std::size_t>& frames,
                                     const FilmEvents& events) {
   std::vector<char> there(frames.size());

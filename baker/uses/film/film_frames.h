@@ -10,39 +10,38 @@
 
 namespace coppermoon::uses {
 
-/// A frame that was made.
 struct MadeFrame {
   std::size_t frame;
-  std::optional<Exposures> exposures;  ///< of its picture, if it has one
-  bool developed_again = false;        ///< developed from a linear frame that an earlier run left
+  std::optional<Exposures> exposures;  ///< absent if only a texture was made
+  bool developed_again = false;        ///< whether developed from an earlier run's linear frame
 };
 
 /// Makes frames, as many at a time as memory and processors allow.
 ///
-/// Given   film   with its light and its albedo
-///         made   called with each frame once its files exist, from any thread, one call at a time
-/// Throws  Error  the first error of any frame; frames under way are abandoned
+/// Given   film   its light and albedo must be set
+///         made   called for each frame once its files exist; called from any thread, but one call at a time
+/// Throws  Error  the first error in any frame, after abandoning the frames that are being made
 void make_frames(const Film& film, const std::vector<std::size_t>& frames,
                  const std::function<void(const MadeFrame&)>& made);
 
-/// Writes the POV-Ray scene of all frames, beside their textures.
+/// Writes the POV-Ray scene for all frames into the folder of their textures.
 void write_film_scene(const Film& film);
 
-/// Callbacks while a film is being made, one call at a time; either may be empty.
+/// Callbacks while a film is being made. They are called one at a time, and either may be empty.
 struct FilmEvents {
-  std::function<void(std::size_t frame)> kept = {};       ///< for a frame left by an earlier run
-  std::function<void(const MadeFrame& frame)> made = {};  ///< for a frame made now, from any thread
+  std::function<void(std::size_t frame)> kept = {};       ///< for a frame from an earlier run
+  std::function<void(const MadeFrame& frame)> made = {};  ///< for a new frame, from any thread
 };
 
-/// The film with its ground: the albedo at the textures' size, so that no frame has to resize it.
+/// The film with its ground set, and with its albedo at the textures' resolution, so that no frame has to resize it.
 ///
 /// Throws  Error  as normal_albedo
 Film with_ground(Film film);
 
-/// Makes those of the given frames that are missing, and the scene of all frames if the film has one. A frame is kept
-/// if all its files exist, whole and made for this film.
+/// Makes those of the given frames that are missing, and the POV-Ray scene if it is one of the film's products. A frame
+/// is kept if all its files exist, are whole, and were made for this film.
 ///
-/// Given   film   with its light; its folder must exist
+/// Given   film   its light must be set, and its folder must exist
 /// Throws  Error  as make_frames, normal_albedo
 void make_film(const Film& film, const std::vector<std::size_t>& frames,
                const FilmEvents& events = {});

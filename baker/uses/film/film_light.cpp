@@ -14,7 +14,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// The Moon along its path during the film.
+/// The Moon in the Earth's shadow, along its path during the film.
 ShadowedMoon moon_of(const Film& film, const LightRequest& request) {
   const auto& frames = film.moments.frames;
   return moon_on_its_way(request, skies_between(frames.front(), frames.back()));
@@ -34,18 +34,19 @@ Purpose purpose_of(const Film& film) {
   return {width * width / 2, reads_map(film.moon)};
 }
 
-/// The request, with the photons of all shards in a folder added.
+/// Adds to a request the photon sums that shards have written into a folder.
 LightRequest with_shards(LightRequest request, const std::filesystem::path& folder) {
   if (!wants_photons(request)) return request;
   if (request.solver == Solver::automatic) request.solver = Solver::table;
   auto& sums = request.photon_files.add;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.path().extension() == ".sums") sums.push_back(entry.path());
-  std::ranges::sort(sums);  // adding in the same order gives the same bits
+  std::ranges::sort(sums);  // because the sum's last bits depend on the order
   return request;
 }
 
-/// How the light in the folder differs from the light asked for, by a request or by the recipe of a planned run.
+/// Differences between the light in the folder and the light asked for. There are none if `asked` equals either the
+/// request stored with the light or the recipe of its planned run.
 std::vector<request::Difference> differences_of(const KeptLight& known,
                                                 const request::Recipe& asked) {
   const auto there = light_key_in(known.key);
@@ -53,7 +54,7 @@ std::vector<request::Difference> differences_of(const KeptLight& known,
   return request::differences(there, asked);
 }
 
-/// Light kept in the folder; nothing if it is another film's or incomplete.
+/// The light in the film's folder, if it is complete. Another film's light is refused, or ignored if `replace` is true.
 std::optional<Moonlight> kept_on_the_way(const Film& film, const ShadowedMoon& moon, bool replace) {
   auto known = read_light(film.folder / light_file);
   if (!known) return std::nullopt;

@@ -33,20 +33,20 @@ std::vector<fs::path> pictures_of(const Film& film, const std::vector<std::size_
   return pictures;
 }
 
-/// Links pictures under consecutive numbers, as ffmpeg requires.
+/// Makes consecutively numbered links to the pictures, because ffmpeg requires such names.
 void number_pictures(const fs::path& folder, const std::vector<fs::path>& pictures) {
   for (std::size_t i = 0; i < pictures.size(); ++i)
     fs::create_symlink(fs::absolute(pictures[i]), folder / fmt::format("{:07}.png", i));
 }
 
-/// Primaries and transfer characteristics of a display's code values, with ffmpeg's names.
+/// A display's primaries and transfer characteristics, by the names that ffmpeg uses.
 ///
 /// Source  ITU-T H.273
 struct DisplayCoding {
   const char *display, *primaries, *transfer;
 };
 
-/// Coding of a display in the built-in configuration; for any other display, that of sRGB.
+/// The coding for a display of the built-in configuration. Any other display is coded as sRGB.
 DisplayCoding coding_of(const std::string& display) {
   constexpr std::array<DisplayCoding, 3> others{{{"Rec.1886 Rec.709", "bt709", "bt709"},
                                                  {"Display P3", "smpte432", "iec61966-2-1"},
@@ -55,8 +55,8 @@ DisplayCoding coding_of(const std::string& display) {
   return found != others.end() ? *found : DisplayCoding{"sRGB", "bt709", "iec61966-2-1"};
 }
 
-/// Arguments that tell ffmpeg how the pictures' numbers are coded. The filter `setparams` tags the frames, since
-/// ffmpeg 7 would tag all that comes from PNGs as sRGB, whatever -color_trc says.
+/// ffmpeg's filters that convert the pictures to a movie's matrix and pixel format, and tag the frames. The filter
+/// `setparams` does the tagging, because ffmpeg 7 would tag frames from PNGs as sRGB, whatever -color_trc says.
 std::string coding(const char* matrix, const char* format, const DisplayCoding& tags) {
   return fmt::format(
       "scale=out_color_matrix={}:out_range=tv:flags=accurate_rnd+full_chroma_int,format={},"
@@ -80,8 +80,8 @@ std::string prores_coding(const Film& film) {
          "-c:v prores_ks -profile:v hq -vendor apl0";
 }
 
-/// ffmpeg's arguments for HDR10. SMPTE ST 2086 counts chromaticities, here Rec.2020's, in steps of 0.00002, and light
-/// in steps of 0.0001 cd/m².
+/// ffmpeg's arguments for HDR10. As in SMPTE ST 2086, chromaticities (here those of Rec.2020) are given in steps of
+/// 0.00002, and luminances in steps of 0.0001 cd/m².
 std::string high_range_coding(const LightLevels& levels) {
   const auto whole = [](double light) { return std::max(1., std::ceil(light)); };
   return coding("bt2020", "yuv420p10le", high_range_tags) +
@@ -102,7 +102,7 @@ std::string coding_for(const fs::path& movie, const Film& film,
                                   : standard_range_coding(film.development.display);
 }
 
-/// ffmpeg's command line. ffmpeg opens its output by name, because it has to seek back in it.
+/// ffmpeg's command line. ffmpeg opens the output file by name, because it has to seek backwards in the file.
 std::vector<std::string> command(const FrameRate& fps, const std::string& coding,
                                  const fs::path& movie) {
   std::istringstream words(

@@ -9,26 +9,24 @@
 
 namespace coppermoon::uses {
 
-/// Refuses a machine without ffmpeg.
+/// Checks that ffmpeg can be run.
 ///
-/// Throws  Error  when ffmpeg cannot be run: names the package
+/// Throws  Error  when it cannot; names the package to install
 void require_ffmpeg();
 
-/// Refuses a movie whose name ends in neither .mp4 nor .mov; an empty path asks for none.
-///
-/// Throws  Error
+/// Refuses a movie whose name ends in neither .mp4 nor .mov. An empty path is accepted, and means no movie.
 void require_movie_ending(const std::filesystem::path& path);
 
-/// Encodes the frames' pictures with ffmpeg, in the order given, with the matrix of BT.709, tagged with the primaries
-/// and transfer characteristics of the film's display: as H.264 in 4:2:0 if the file ends in .mp4, as ProRes 422 HQ (10
-/// bits) if it ends in .mov. A side with an odd number of pixels gets one more, which is black. The file appears whole
-/// or not at all.
+/// Encodes the frames' pictures with ffmpeg, in the order given. A file that ends in .mp4 is in H.264 (4:2:0), and one
+/// that ends in .mov in ProRes 422 HQ (10 bits). The movie has the matrix of BT.709, and is tagged with the primaries
+/// and transfer characteristics of the film's display. An odd width or height is increased by one black pixel. The file
+/// appears whole or not at all.
 ///
-/// Pictures of high dynamic range, PQ and Rec.2020, become HDR10 in .mp4: HEVC, 10 bits in 4:2:0, with the film's light
-/// levels, and the smallest mastering display that shows all of them. A .mov has no light levels.
+/// If the film has pictures of high dynamic range (PQ, Rec.2020), an .mp4 becomes HDR10: HEVC (10 bits, 4:2:0) with the
+/// film's light levels and the dimmest mastering display that can show them. A .mov has no light levels.
 ///
-/// Accuracy  for high dynamic range, light within 2 % in even areas, from 1 cd/m² up
-/// Throws  Error  when ffmpeg is missing, or fails (quotes the start of its message)
+/// Accuracy  for high dynamic range, 2 % in luminance, in uniform areas of at least 1 cd/m²
+/// Throws  Error  when ffmpeg is missing or fails; quotes the start of ffmpeg's message
 void write_movie(const std::filesystem::path& path, const Film& film,
                  const std::vector<std::size_t>& frames);
 
@@ -40,8 +38,9 @@ struct LightLevels {
   double brightest_mean = 0;  ///< MaxFALL: the largest mean over a frame
 };
 
-/// Given   pictures  .png, coded as PQ
-/// Throws  Error     as texture::read_image
+/// Light levels of a film, from its pictures, which must be PNG files coded in PQ.
+///
+/// Throws  Error  as texture::read_image
 LightLevels light_levels(const std::vector<std::filesystem::path>& pictures);
 
 }  // namespace coppermoon::uses

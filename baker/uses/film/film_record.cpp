@@ -26,7 +26,7 @@ constexpr const char *recipe_attribute = "coppermoon:recipe",
                      *view_attribute = "coppermoon:view_contents",
                      *view_contents_name = "view-contents";
 
-/// A file's recipe, with the program's version and the fingerprints of the map and the view as further settings.
+/// A recipe to which the program's version and the fingerprints of the map and the view are added as settings.
 Recipe account_of(const Recipe& recipe, std::string_view version, const std::string& map,
                   const std::string& view) {
   const auto setting = [](const char* name, std::string_view text, Affects affects) {
@@ -50,7 +50,7 @@ Recipe planned_account(const FilmRecord& record) {
   return account_of(planned_recipe(record), version(), record.map_contents, record.view_contents);
 }
 
-/// The account in a file's header; empty if it has no recipe that can be read.
+/// The recipe in a file's header, as completed by account_of. It is empty if the header has no readable recipe.
 ///
 /// Throws  Error  when the file is not an image
 Recipe account_in(const std::filesystem::path& file) {
@@ -66,7 +66,8 @@ Recipe account_in(const std::filesystem::path& file) {
   }
 }
 
-/// Whether a file depends on a setting, judged by the file's name: a texture has no camera, and a frame no view.
+/// Whether a file depends on a setting, judging by the file's name. Textures do not depend on the camera, linear frames
+/// do not depend on the display's view, and pictures depend on all settings.
 bool depends_on(const std::filesystem::path& file, const Setting& setting) {
   if (file.extension() == ".png") return true;
   return file.filename().string().starts_with("moon_") ? setting.affects <= Affects::sight
@@ -81,7 +82,7 @@ std::string in_words(const request::Difference& difference) {
   };
   if (name == "albedo-map-contents" && but_scene(there) == but_scene(asked))
     return "other contents of scene";
-  const auto of_map = [](const std::string& contents) {  // comes before a response file's
+  const auto of_map = [](const std::string& contents) {  // the map's fingerprint comes first
     return contents.substr(0, contents.find(' '));
   };
   if (name == "albedo-map-contents" && of_map(there) == of_map(asked))

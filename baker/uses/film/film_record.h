@@ -11,39 +11,39 @@
 
 namespace coppermoon::uses {
 
-/// The request that a film is made from, as its files' headers keep it; it tells the film's own files from others.
-/// Functions may be called from any thread.
+/// The request that a film is made from, as recorded in the headers of its files. It distinguishes the film's files
+/// from other files. Functions may be called from any thread.
 struct FilmRecord {
   request::Recipe
-      recipe{};  ///< as asked for, with the textures' width; if empty, no file is this film's
+      recipe{};  ///< as requested, plus the textures' width; if empty, no file is the film's
   std::string map_contents{}, view_contents{};  ///< fingerprints of the files that the recipe names
-  std::optional<plan::Work> work{};             ///< for the light, once it is planned
-  /// How the error that refuses another film's files ends, after "allowed another folder".
+  std::optional<plan::Work> work{};             ///< planned work for the light, if known
+  /// End of the error message that refuses another film's files. It follows "allowed another folder".
   std::string way_out{};
 
-  /// Attributes in the header of each file of a frame, besides its number.
+  /// Header attributes that the files of all frames have in common.
   texture::Attributes frame_header() const;
-  /// Attributes in the header of each file that is made from many frames.
+  /// Header attributes of the files that are made from many frames, such as a contact sheet.
   texture::Attributes film_header() const;
 
-  /// Recipe with all that the light depends on except time, before it is planned.
+  /// The settings that the light depends on, except for the time. They are those requested, before any planning.
   request::Recipe light_key() const;
-  /// Text that tells this film from others, whichever products are made from it.
+  /// Text that distinguishes this film from others, whatever products are made.
   std::string film_key() const;
 
-  /// Whether a file was made from this film's request, in all settings that such a file depends on.
+  /// Whether a file was made with this film's settings. Settings that do not affect such a file are ignored.
   bool made_alike(const std::filesystem::path& file) const;
-  /// Whether a linear frame's pixels were made from this film's request; its exposure may differ.
+  /// Whether a linear frame's pixels were made with this film's settings. Its exposure may differ.
   bool shows_the_same(const std::filesystem::path& frame) const;
-  /// Contents of a file that is not this film's, in words; empty if it is, or if it is damaged. Work is compared by the
-  /// settings that it is planned from.
+  /// Describes the contents of a file that does not belong to this film. The text is empty if the file does belong to
+  /// it, or is damaged. Planned settings are not compared.
   std::string foreign_contents(const std::filesystem::path& file) const;
 };
 
-/// The recipe in the text of a light_key, with or without settings before it.
+/// Reads a light_key from its text, which may also hold the moments of the first and the last frame.
 request::Recipe light_key_in(const std::string& text);
 
-/// Differences in words, for whoever asked for the second recipe: "iso = 800, asked 100; …"; empty if there are none.
+/// Text for the differences from a requested recipe, such as "iso = 800, asked 100; …". Empty if there are none.
 std::string in_words(std::vector<request::Difference> differences);
 
 }  // namespace coppermoon::uses

@@ -25,7 +25,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* stars_name = "eclipse_stars.inc";
 
-/// Adds the bytes of a file and of the files beside it that it names, each once. Our own, made per frame, are left out.
+/// Adds the bytes of a file, and of the files that it names in quotes, to `all`. Each file is added once. Files that
+/// are written anew for each frame are left out.
 void add_contents(const fs::path& file, std::set<fs::path>& seen, std::string& all) {
   static const std::set<fs::path> ours{"moon.inc", "coppermoon.inc", stars_name};
   std::error_code none;
@@ -80,7 +81,7 @@ texture::Image rendered_scene(const Film& film, std::size_t frame, const LitScen
   texture::write_exr(beside(texture_stem + std::string(".exr")), scene.texture.parts,
                      scene.texture.attributes, {.packed = false});
   write_moon_include(folder.path(), scene, film.view);
-  if (!fs::exists(beside(stars_name)))  // so that a scene that includes it works without stars
+  if (!fs::exists(beside(stars_name)))  // so that scenes can include it even without stars
     files::write_whole(beside(stars_name), povray_scenes::star_include("no stars", {}));
   write_sky(beside(povray_scenes::sky_file), scene.moon, film.view);
   const auto [width, height] = std::pair(film.view.width, film.view.height);

@@ -10,20 +10,21 @@
 
 namespace coppermoon::uses {
 
-/// Throws  Error  when the film's scene is not a .pov file, has no observer, or is asked for together with textures
+/// Refuses a film whose scene is not an existing .pov file, has no observer, or is combined with textures.
 void require_scene(const Film& film);
 
-/// View for a scene's observer, air and stars, even if the Moon is below the horizon; the scene has its own camera.
+/// The observer, air and stars for a frame of the user's scene, even if the Moon is below the horizon. The camera in
+/// the view is not used, because the scene has its own.
 View scene_view(const Film& film, const almanac::SkyState& sky);
 
-/// Fingerprint of a scene and of the files beside it that it, or an .inc or .pov file among them, names in quotes.
-/// It follows the fingerprints of a record's map; empty without a scene.
+/// Fingerprint of a scene and of the files beside it whose names it quotes, directly or through .inc and .pov files. It
+/// is appended to FilmRecord::map_contents, and is empty without a scene.
 std::string scene_contents(const std::filesystem::path& scene);
 
-/// Renders a frame of the film's scene, linear Rec.709 [cd/m²]. POV-Ray works in a temporary folder that holds
-/// moon.inc, eclipse_stars.inc, coppermoon.inc, and the sky and texture of that moment.
+/// Renders a frame of the user's scene as an image in linear Rec.709 [cd/m²]. POV-Ray works in a temporary folder that
+/// holds moon.inc, eclipse_stars.inc, coppermoon.inc, and the frame's sky and texture.
 ///
-/// Throws  Error  when POV-Ray is missing or fails: names scene and frame
+/// Throws  Error  when POV-Ray is missing or fails; names the scene and the frame
 texture::Image rendered_scene(const Film& film, std::size_t frame, const LitScene& scene,
                               int threads);
 

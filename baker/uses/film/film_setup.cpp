@@ -21,8 +21,8 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Refuses textures that POV-Ray cannot read: other colour spaces, passes and spectra. Frames get theirs after
-/// rendering.
+/// Refuses textures that POV-Ray cannot read, which are those with another colour space, passes or spectra. Frames are
+/// converted to the film's colour space after rendering.
 void require_content(const Film& film) {
   require_sound(film.content);
   if (!film.scene.empty()) require_scene(film);
@@ -77,7 +77,8 @@ void mount(Film& film, const Mounting& mounting) {
       mounting.aim ? *mounting.aim : apparent_place(*film.view.observer, film.sky(half_way));
 }
 
-/// Refuses a Moon below the horizon in any of a few hundred evenly spread frames; a landscape needs no Moon.
+/// Refuses a film in which the Moon is below the horizon in any of a few hundred evenly spaced frames. A film with a
+/// user's scene is accepted, because a landscape needs no Moon.
 void require_up(const Film& film, const std::vector<std::size_t>& frames) {
   if (!film.scene.empty() || !film.view.observer || film.products.light_alone() || frames.empty())
     return;
@@ -99,7 +100,7 @@ void require_up(const Film& film, const std::vector<std::size_t>& frames) {
       almanac::utc_text(film.moments.at(first), film.moments.eclipse.calendar), last));
 }
 
-/// Width of all textures [texels], for the nearest Moon in the first, middle and last frames.
+/// Width of all textures [texels]: the largest that the first, middle or last frame needs.
 std::size_t widest_texture(const Film& film) {
   if (film.moon.texture_width || !film.products.framed()) return texture_width_of(film.moon);
   std::size_t widest = 0;
@@ -116,16 +117,16 @@ povray_scenes::HorizonPlace place_of(double altitude, double azimuth) {
   return {algebra::radians(altitude), algebra::radians(azimuth)};
 }
 
-/// Apparent directions of the Moons (in_sky), and the picture's shape.
+/// Directions in which the Moon is seen at several moments (see in_sky), and the picture's shape.
 struct Moons {
   std::vector<glm::dvec3> directions;
-  double sine_of_radius;  ///< of the largest disc
+  double sine_of_radius;  ///< of the largest disc's angular radius
   double width_over_height;
 };
 
-/// Half the field across the picture that takes in a whole Moon; π / 2 if none does.
+/// Half the horizontal field of view [rad] that holds one whole Moon; π / 2 if no field does.
 ///
-///     The angle between the Moon and the plane through the camera and a side is at least the Moon's radius.
+/// Each plane through the camera and an edge of the picture must be at least the Moon's radius from the Moon's centre.
 double half_field_for(const Moons& moons, const glm::dvec3& moon,
                       const povray_scenes::HorizonPlace& aim) {
   const auto ahead = in_sky(aim.altitude, aim.azimuth);
@@ -141,15 +142,15 @@ double half_field_for(const Moons& moons, const glm::dvec3& moon,
   return std::max(half(across), std::atan(std::tan(upright) * moons.width_over_height));
 }
 
-/// Half the field across the picture that takes in all Moons.
+/// Half the horizontal field of view [rad] that holds all Moons.
 double half_field_for(const Moons& moons, const povray_scenes::HorizonPlace& aim) {
   double most = 0;
   for (const auto& moon : moons.directions) most = std::max(most, half_field_for(moons, moon, aim));
   return most;
 }
 
-/// The aim that needs the narrowest field, in steps of 0.1 degrees: searches from the middle of all Moons with ever
-/// smaller steps.
+/// The aim that needs the narrowest field of view, to 0.1 degrees. The search begins at the middle of all Moons, and
+/// takes smaller and smaller steps.
 povray_scenes::HorizonPlace best_aim(const Moons& moons) {
   constexpr double tenth = 0.1 * degree, highest = 89 * degree;
   glm::dvec3 sum(0);

@@ -23,8 +23,8 @@ double seconds_from(const Moments& moments, const almanac::Instant& when, std::s
   return almanac::seconds_between(when, moments.at(frame));
 }
 
-/// Frames nearest to the contacts during the film, each with the contacts less than a minute away and the time from
-/// them; a sheet's times of day are no finer than a minute.
+/// The frame nearest to each contact during the film, with a text that names the contacts less than a minute away and
+/// the time from them. The limit is a minute because the times of day on a sheet are no finer than that.
 std::map<std::size_t, std::string> frames_at_contacts(const Moments& moments,
                                                       const std::vector<std::size_t>& frames) {
   const double all = seconds_from(moments, moments.at(frames.front()), frames.back());
@@ -55,7 +55,7 @@ std::vector<std::size_t> some_of(const std::vector<std::size_t>& frames) {
   return some;
 }
 
-/// Time zone of the sheet's times; if absent, UTC.
+/// Time zone of the times on the sheet. If absent, the times are in UTC.
 std::optional<std::string> zone_of(const Film& film) {
   return film.view.observer ? std::optional(zone_or_utc(*film.view.observer)) : std::nullopt;
 }

@@ -10,22 +10,21 @@
 
 namespace coppermoon::uses {
 
-/// A frame on a contact sheet.
 struct SheetFrame {
   std::size_t frame;
-  /// Time from the nearest contact: "U2+35min", "U4-20s"; "U2" within half a second of it
+  /// Time from the nearest contact, such as "U2+35min" or "U4-20s", but only "U2" within half a second of the contact.
   std::string moment;
-  bool at_contact;  ///< the frame nearest to a contact, within a minute
+  bool at_contact;  ///< whether it is nearest to a contact, and within a minute of it
 };
 
-/// Frames for a contact sheet: all of a short film; from a longer one 40 at even steps, and those nearest to the
-/// contacts and the greatest phase.
+/// Chooses the frames for a contact sheet: all frames if there are at most 40, otherwise 40 at even steps and those
+/// nearest to the contacts and to greatest eclipse.
 ///
-/// Given   frames  of the film, in increasing order
+/// Given   frames  the film's frames, in increasing order
 std::vector<SheetFrame> frames_of_sheet(const Moments& moments,
                                         const std::vector<std::size_t>& frames);
 
-/// Draws a contact sheet of the frames: their pictures with times and moments.
+/// Draws a contact sheet of the frames' pictures, with the time of day and the time from a contact for each.
 ///
 /// Throws  Error  as texture::drawn, texture::write_png
 void write_contact_sheet(const std::filesystem::path& path, const Film& film,

@@ -25,16 +25,15 @@ namespace fs = std::filesystem;
 
 using Lux = std::array<double, 3>;
 
-constexpr std::size_t rows = 180;  ///< in the textures that are measured
+constexpr std::size_t rows = 180;  ///< of the textures used to measure illuminance
 
-/// The film with its Moon in full sunlight.
 Film in_sunlight(Film film) {
   film.moon.unshadowed = true;
   film.light = std::make_shared<const Moonlight>();
   return film;
 }
 
-/// The film with textures that are small enough to be measured.
+/// The film with small textures, from which illuminance can be measured quickly.
 Film in_little(Film film) {
   film.albedo = std::make_shared<const algebra::Grid<float>>(texture::resized(*film.albedo, rows));
   film.ground = ground_of(film.moon, *film.albedo);
@@ -44,7 +43,6 @@ Film in_little(Film film) {
   return film;
 }
 
-/// A frame on the stage.
 struct StageFrame {
   texture::UsdMoment moment;
   double seconds = 0;  ///< since greatest eclipse
@@ -67,13 +65,13 @@ std::vector<StageFrame> frames_of(const Film& film, const std::vector<std::size_
   return frames;
 }
 
-/// Share of the last frame's sunlit Moon in a frame; the rest comes from the first frame.
+/// Weight of the last frame's sunlit Moon in frame i. The first frame's sunlit Moon has the remaining weight.
 double share_of(const std::vector<StageFrame>& frames, std::size_t i) {
   const double first = frames.front().seconds, last = frames.back().seconds;
   return (frames[i].seconds - first) / (last - first);
 }
 
-/// An attribute with its first value and one sample per frame.
+/// USD text for an attribute, with its first value as default and one time sample per frame.
 template <class Value>
 std::string samples(const char* declared, const std::vector<StageFrame>& frames,
                     const Value& value) {
@@ -83,7 +81,7 @@ std::string samples(const char* declared, const std::vector<StageFrame>& frames,
   return text + "                }";
 }
 
-/// Names of the stage's own images.
+/// File names of the images that are made for the stage.
 struct Images {
   std::string first, last, strip;
 
@@ -171,7 +169,7 @@ std::string looks_of(const Film& film, const std::vector<StageFrame>& frames, co
       "/Moon/Looks/Moonlight/Scaled.outputs:out", film_nodes);
 }
 
-/// Head of the layer, with time codes of the contacts within the film.
+/// Header of the USD layer, with the time codes of the contacts that happen during the film.
 std::string layer_of(const Film& film, const std::vector<StageFrame>& frames) {
   std::string contacts;
   const double first = frames.front().seconds, last = frames.back().seconds;
@@ -207,7 +205,7 @@ std::string layer_of(const Film& film, const std::vector<StageFrame>& frames) {
                      almanac::utc_text(film.moments.eclipse.greatest), contacts);
 }
 
-/// Writes the sky of each frame beside the stage.
+/// Writes an image of the sky for each frame beside the stage. Writes nothing if the film has no observer.
 std::vector<texture::UsdSky> write_skies(const fs::path& stage, const Film& film,
                                          const std::vector<std::size_t>& numbers) {
   std::vector<texture::UsdSky> skies(film.view.observer ? numbers.size() : 0);

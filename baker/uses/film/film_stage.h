@@ -9,17 +9,18 @@
 
 namespace coppermoon::uses {
 
-/// Writes a film as a single USD stage, .usda, among its textures: the Moon, its observer's camera, and moonlight as a
-/// distant light [lux]. Each has a sample per frame, with the first frame's values as defaults. The layer's
-/// customLayerData lists the contacts by time code. Over a place, a dome light 256 texels wide adds the sky [cd/m²].
+/// Writes a film as a single USD stage (.usda) beside its textures. The stage contains the Moon, the observer's camera,
+/// and moonlight as a distant light [lux]. Each has a time sample per frame, with the first frame's values as defaults.
+/// The layer's customLayerData gives the contacts' time codes. If the film has an observer, the sky [cd/m²] is added as
+/// a dome light 256 texels wide.
 ///
-/// The Moon's light comes from MaterialX nodes: a sunlit Moon times the eclipse's shader (eclipse_shader), whose images
-/// lie beside the stage. UsdPreviewSurface shows the film's textures.
+/// The Moon's light comes from MaterialX nodes, which multiply a sunlit Moon by the eclipse's shader (eclipse_shader);
+/// their images are written beside the stage. The stage's UsdPreviewSurface shows the film's textures.
 ///
 /// Given     film    with textures in linear Rec.709 or ACEScg, and with its light
-///           frames  in increasing order, two or more
-/// Accuracy  the shader's light as eclipse_shader, scaled in each frame to the illuminance of its texture; light on a
-///           white card 0.2 %
+///           frames  two or more, in increasing order
+/// Accuracy  that of eclipse_shader for the Moon, whose sunlit illuminance is correct in each frame; 0.2 % for the
+///           light on a white card
 /// Omits     the flattening of a low Moon; the glow of the air in front of the Moon; stars
 /// Throws    Error  as eclipse_shader; when a file cannot be written
 void write_stage(const std::filesystem::path& path, const Film& film,
@@ -27,8 +28,8 @@ void write_stage(const std::filesystem::path& path, const Film& film,
 
 /// Refuses a stage that cannot be made from a film.
 ///
-/// Throws  Error  for a folder other than the film's, a film without textures, a single frame, other colour spaces,
-///                or an unshadowed film
+/// Throws  Error  for a file name that USD cannot use, a folder other than the film's, a film without textures or with
+///                fewer than two frames, or the colour space ciexyz_d65
 void require_stage(const std::filesystem::path& path, const Film& film);
 
 }  // namespace coppermoon::uses

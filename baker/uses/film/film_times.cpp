@@ -21,7 +21,6 @@ using almanac::Instant;
 constexpr double most_frames = 1e6;
 constexpr std::size_t usual_frames = 240;
 
-/// Number of frames in a duration.
 std::size_t count_in(double duration_s, const FrameRate& fps) {
   algebra::require_within("duration [s]", duration_s, 1e-3, 1e6);
   const double count = std::max(1., std::round(duration_s * fps.value()));
@@ -29,7 +28,7 @@ std::size_t count_in(double duration_s, const FrameRate& fps) {
   return static_cast<std::size_t>(count);
 }
 
-/// Refuses two rules for the number of frames, except a number that agrees with a duration.
+/// Refuses more than one rule for the number of frames, unless the number agrees with the duration.
 void require_one_rule(const FilmTimes& times) {
   std::vector<std::string> given;
   const bool both = times.frames && times.duration_s && !times.time_scale && times.moments.empty();
@@ -62,16 +61,16 @@ std::size_t count_of(const FilmTimes& times, double seconds) {
   return frames;
 }
 
-/// Whether frames show some of the Moon: its middle is up, or below the horizon by less than the radius of the
-/// flattened disc, which is at least 0.2 degrees.
+/// Whether a frame shows some of the Moon. It does if the Moon's centre is less than 0.17 degrees below the horizon,
+/// because the flattened disc's radius is at least 0.2 degrees. Always true without an observer.
 bool is_seen(const ViewRequest& view, const almanac::SkyState& sky) {
   if (!view.observer || !moon_is_up(view, sky)) return !view.observer;
   const auto horizon = atmosphere::apparent_altitude(horizon_altitude(*view.observer));
   return algebra::in_degrees(apparent_place(*view.observer, sky).altitude - horizon) > -0.17;
 }
 
-/// Finds the rise or set between a moment when the Moon is seen and one when it is not, to a second; returns the side
-/// on which it is seen.
+/// Finds moonrise or moonset, to a second, between `up`, when the Moon is seen, and `down`, when it is not. The Moon is
+/// seen at the moment that is returned.
 Instant edge_of(const ViewRequest& view, Instant up, Instant down) {
   while (std::abs(almanac::seconds_between(up, down)) > 1) {
     const auto middle = almanac::later(up, almanac::seconds_between(up, down) / 2);
@@ -88,8 +87,8 @@ FrameRate reduced(int over, int under) {
   return {over / common, under / common};
 }
 
-/// A decimal number as a ratio. Television rates are 1000/1001 times multiples of 12 and 15, written to two or three
-/// decimals.
+/// A decimal frame rate as a ratio. Television rates, which are 1000/1001 times multiples of 12 or 15, are recognised
+/// when written with two or three decimals.
 FrameRate ratio_of(double number) {
   constexpr double written_within = 0.005;
   const long whole = std::lround(number * television / thousand);

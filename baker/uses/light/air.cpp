@@ -26,7 +26,7 @@ using atmosphere::StratosphericAerosol;
 /// Largest number of regions: one for every five degrees of the limb.
 constexpr std::size_t most_regions = 72;
 
-/// The latitude of a column of air, and the year.
+/// Place and time of a column of air: its latitude and the year.
 struct Standing {
   algebra::Angle latitude;
   double year;
@@ -85,7 +85,7 @@ Column changed(Column column, const ColumnChange& change, const Standing& standi
   return column;
 }
 
-/// What the air needs to know of a moment: the tilt of the Earth's pole, and the year.
+/// What the air depends on at a moment: the Sun's declination, which gives the tilt of the Earth's pole, and the year.
 struct AirMoment {
   algebra::Angle sun_declination;
   double year;
@@ -102,7 +102,7 @@ atmosphere::Belts belts_in(const AirRegion& region, atmosphere::Belts belts,
   return belts;
 }
 
-/// The region on the limb for a request's region, or nothing if the limb does not reach its latitudes.
+/// Converts a requested region to one on the limb. Returns nothing if the limb does not reach the region's latitudes.
 std::optional<atmosphere::Region> region_on_limb(const AirRegion& region,
                                                  const atmosphere::Atmosphere& air,
                                                  const AirMoment& moment) {
@@ -211,7 +211,7 @@ AirMoment moment_of(const almanac::SkyState& sky) {
   return {eclipse::shadow_axis(sky).sun_declination, almanac::year_of(sky.when)};
 }
 
-/// Danjon's scale for a night's eclipse, with changes in all the air or in one region alone.
+/// Danjon's scale for a night's eclipse. If a region is given, its air is taken to fill the whole limb.
 DanjonScale scale_of(const Air& asked, const std::optional<AirRegion>& region,
                      const almanac::SkyState& night) {
   const auto greatest =
@@ -224,8 +224,8 @@ DanjonScale scale_of(const Air& asked, const std::optional<AirRegion>& region,
   return {air, sky};
 }
 
-/// Clearness for a step on Danjon's scale, for all the air or for one region. Scales are cached, since all frames of a
-/// film need the same one.
+/// Clearness that brings all the air, or the air of one region, to a step on Danjon's scale. Scales are cached, because
+/// all frames of a film need the same one.
 double clearness_found(const Air& asked, std::optional<AirRegion> region, int step,
                        const almanac::SkyState& sky) {
   struct Found {

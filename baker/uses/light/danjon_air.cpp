@@ -28,7 +28,7 @@ using std::numbers::pi;
 constexpr int coarse_bands = 10;
 constexpr std::size_t coarse_sectors = 24;
 
-/// A place on the disc. Each place stands for an equal area.
+/// A place on the Moon's disc. All places represent equal areas.
 struct Place {
   double axis_distance_m, position_angle_rad;
 };
@@ -48,7 +48,7 @@ std::vector<Place> places_over(const eclipse::ShadowPlace& centre, double axis_d
   return places;
 }
 
-/// The eclipse nearest to a moment, with its Moon moved inside the umbra.
+/// The eclipse nearest to a moment. If the Moon is not wholly inside the umbra, it is moved just inside.
 class Totality {
  public:
   explicit Totality(const almanac::SkyState& near)
@@ -71,7 +71,7 @@ class Totality {
     for (double d = 0; d < deep + radius + spacing_m; d += spacing_m) distances_m_.push_back(d);
   }
 
-  /// Visual magnitude of the Moon as seen from above the observer's air.
+  /// Visual magnitude of the eclipsed Moon, without extinction by an observer's air.
   double magnitude(const atmosphere::Atmosphere& air) const {
     const auto waves = wavelengths_nm(coarse_bands);
     const auto light =
@@ -89,8 +89,8 @@ class Totality {
 
  private:
   static constexpr double spacing_m = 200e3, mean_distance_m = 3.844e8;
-  static constexpr std::size_t visual = 1;  ///< index of V in the photometer's channels
-  /// Visual magnitude of a full Moon outside the shadow, at mean distances and a phase angle of 1.5° (ROLO).
+  static constexpr std::size_t visual = 1;  ///< index of V among the photometer's channels
+  /// Visual magnitude of an unshadowed full Moon, at mean distances of Sun and Moon and a phase angle of 1.5° (ROLO).
   static constexpr double full_moon = -12.73;
 
   double at(const shadow::RefractedLight& light, const Place& place, std::size_t wave) const {
@@ -105,10 +105,11 @@ class Totality {
   shadow::Arrangement arrangement_;
   std::vector<Place> places_;
   std::vector<double> distances_m_;
-  double dimmer_ = 1;  ///< factor that accounts for the distances of Sun and Moon
+  double dimmer_ = 1;  ///< factor by which the distances of Sun and Moon dim the Moon
 };
 
-/// Clearness for a magnitude that lies between the known ones just before and at an index, by a cubic through four.
+/// Clearness at a magnitude, interpolated by a polynomial through up to four known points around it. `bright` is the
+/// index of the first known point that is at least as bright.
 template <typename Known>
 double between(std::span<const Known> known, std::size_t bright, double magnitude) {
   const std::size_t first = bright > 1 ? bright - 2 : 0,

@@ -11,14 +11,14 @@
 
 namespace coppermoon::uses {
 
-/// The given air with cloud and aerosol scaled by one number, or with more aerosol in the stratosphere.
+/// Reduces the air's cloud and aerosol by a common factor, or adds aerosol to the stratosphere.
 ///
-/// Given     clearness  1: no cloud, no aerosol; 0: the air unchanged; below 0: its magnitude is added to the
-///                      optical depth of the stratosphere
-/// Returned  air in belts, with all its columns changed
+/// Given     clearness  1 removes all cloud and aerosol, 0 leaves the air unchanged; if negative, its absolute value is
+///                      added to the optical depth of the stratosphere
+/// Returned  the air with the columns of all its belts changed
 atmosphere::Atmosphere cleared(atmosphere::Atmosphere air, double clearness);
 
-/// Interval in which clearness is searched for. A search that ends within the error of either end has failed.
+/// Limits and error of the search for a clearness. If the result is within the error of a limit, the search has failed.
 inline constexpr double darkest_clearness = -2, brightest_clearness = 1,
                         clearness_error = 2. / 1024;
 
@@ -27,20 +27,19 @@ inline constexpr double darkest_clearness = -2, brightest_clearness = 1,
 ///
 ///     m = 4.2 − 3 L + (L/2)²
 ///
-/// In an eclipse that is not total, the Moon is placed just inside the umbra.
+/// If the eclipse is not total, the Moon is placed just inside the umbra.
 ///
-/// Accuracy  0.15 mag: the Moon is taken to be uniform, and its light is computed in ten bands at a few places
-/// Source    H. C. Vital's correlation of observers' estimates (REA Brazil, 2004 to 2015); the
-///           choice of what to clear from the air is ours
+/// Accuracy  0.15 mag, because the Moon is taken as uniform, and its light is computed in ten bands at a few places
+/// Source    H. C. Vital's correlation of observers' estimates (REA Brazil, 2004 to 2015); what to clear is our choice
 class DanjonScale {
  public:
   /// Given  air  divided into belts of latitude, for the night of the eclipse
   DanjonScale(const atmosphere::Atmosphere& air, const almanac::SkyState& sky);
 
-  /// Clearness for a step. Magnitudes found on the way are kept to speed up other steps, without changing results.
+  /// Clearness for a step on the scale. Magnitudes are cached to speed up other steps, which does not change results.
   ///
   /// Given     l  0 to 4
-  /// Returned  −2 to 1; at either end the magnitude may not be reached
+  /// Returned  −2 to 1; at either limit, the Moon may not reach the step's magnitude
   /// Throws    Error  when l is outside its range
   double clearness(int l);
 
@@ -49,11 +48,11 @@ class DanjonScale {
     double clearness, magnitude;
   };
 
-  /// Adds a clearness and its magnitude to the known ones, in order of clearness, so that magnitudes decrease.
+  /// Inserts a clearness and its magnitude into `known`, which is sorted by clearness and thus by falling magnitude.
   void add(double clearness, std::vector<Known>& known);
 
   std::function<double(double clearness)> magnitude_;
-  std::map<double, double> magnitudes_;  ///< by clearness
+  std::map<double, double> magnitudes_;  ///< keyed by clearness
 };
 
 }  // namespace coppermoon::uses

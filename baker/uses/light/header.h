@@ -13,10 +13,10 @@ namespace coppermoon::uses {
 /// Version of coppermoon, such as "0.2.0".
 std::string_view version();
 
-/// Moment in UTC in the form of OpenEXR's capDate: "2008:02:21 03:08:26".
+/// A moment in UTC, in the format of OpenEXR's capDate attribute: "2008:02:21 03:08:26".
 std::string capture_date(const almanac::Instant& instant);
 
-/// Header attributes for a scene-linear image in cd/m²: colour space, moment and program.
+/// Header attributes for a scene-linear image in cd/m²: colour space, moment and program version.
 texture::Attributes scene_linear_header(colour::WorkingSpace space, const almanac::Instant& when);
 
 /// Replaces the colour space in the header of a scene-linear image.

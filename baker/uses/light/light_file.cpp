@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The file holds a line of JSON that describes the light, the bytes of its numbers, and a fingerprint of both.
+// A light file holds a line of JSON that describes the light, its numbers as bytes, and a fingerprint of both.
 #include "uses/light/light_file.h"
 
 #include <fmt/format.h>
@@ -103,7 +103,7 @@ void append(const Grids& grids, std::string& bytes) {
                  grid.values().size() * sizeof(double));
 }
 
-/// Reads the grids that follow a header: the light, and for noisy light its standard errors.
+/// Reads the grids that follow the header: the light and, if photons were traced, its standard errors.
 bool read_grids(std::string_view bytes, shadow::RefractedLight& light) {
   const std::size_t rows = light.axis_distances_m.size(), columns = light.wavelengths_nm.size(),
                     size = rows * columns * sizeof(double),
@@ -155,7 +155,7 @@ void require_sound(const Moonlight& light) {
   require(range.sectors.count > 0 && range.sectors.first < range.sectors.around);
 }
 
-/// Refuses light above unobstructed sunlight. Light from photons may be brighter, since few photons are noisy.
+/// Refuses light brighter than unobstructed sunlight. Only light from photons may be brighter, because of its noise.
 void require_sound(const shadow::RefractedLight& light) {
   const double most = light.photons > 0 ? 1e12 : 1;
   for (const auto* grids : {&light.ratio, &light.standard_error})

@@ -9,15 +9,15 @@
 
 namespace coppermoon::uses {
 
-/// Writes light and its plan, except for direct light and this machine's timings. The file appears whole or not at all.
+/// Writes light and its plan, without direct light and this machine's timings. The file appears whole or not at all.
 ///
 /// Given   key    recipe with everything that the light depends on
 /// Throws  Error  one line with the path, when the file cannot be written
 void write_light(const std::filesystem::path& path, const std::string& key, const Moonlight& light);
 
-/// Whether a file was written by write_light, even if damaged: it begins like such a file, or is empty.
+/// Whether a file begins like one from write_light, even if it is damaged. An empty file counts too.
 ///
-/// Throws  Error  as files::beginning_of
+/// Throws  Error  as for files::beginning_of
 bool is_light(const std::filesystem::path& path);
 
 /// Light read from a file, with its key.
@@ -26,7 +26,7 @@ struct KeptLight {
   Moonlight light;
 };
 
-/// Reads light written by write_light, identical bit for bit.
+/// Reads light exactly as write_light wrote it, bit for bit.
 ///
 /// Returned  nothing when there is no such file, its checksum fails, or a number or length is out of bounds
 /// Throws    Error  when the path is a folder, a device or a pipe

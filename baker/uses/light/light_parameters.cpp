@@ -53,7 +53,7 @@ std::string text_of(const std::optional<Stratosphere>& stratosphere) {
                            std::get<atmosphere::StratosphericAerosol>(*stratosphere));
 }
 
-/// A term that may be left out, and the member that switches it.
+/// A term of the light that may be left out, and the member of Work that switches it on.
 struct Term {
   std::string_view name;
   bool plan::Work::*in;
@@ -93,17 +93,17 @@ double budget_of(const std::string& text) {
   return *budget;
 }
 
-/// Conditions under which photons compute the light. A plan uses photons only if they are requested.
+/// Settings that request the paper's method, or photons by any method. Without them, a plan does not use photons.
 const request::Conditions as_the_paper{{"quality", {"paper"}}},
     of_photons{{"solver", {"photons", "literal"}}, {"photons"}, {"quality", {"paper"}}};
 
-/// The tolerance that a quality stands for.
+/// The tolerance that a quality stands for, as a relative error.
 double tolerance_named(const std::string& quality) {
   if (quality == "draft") return 0.05;
   return quality == "reference" ? 5e-4 : 0.01;
 }
 
-/// Parameter that reads regions from texts and keeps the texts for printing.
+/// Parameter for the regions of the air, which are set from texts and printed as texts.
 request::Parameter regions_of(std::vector<AirRegion>& regions) {
   request::Parameter made;
   made.name = "region";
@@ -113,7 +113,7 @@ request::Parameter regions_of(std::vector<AirRegion>& regions) {
       "from-latitude=-90,to-latitude=0,dust-extinction=1e-5; or between from-position-angle "
       "and to-position-angle. May be given again: the first region that holds a place counts";
   made.many = true;
-  const auto one = std::make_shared<AirRegion>();  // lives as long as its parts
+  const auto one = std::make_shared<AirRegion>();  // kept alive by the parts, which refer to it
   made.parts = {new Parameters, [one](Parameters* parts) { delete parts; }};
   describe(*made.parts, *one);
   made.read = [&regions] {
@@ -264,7 +264,8 @@ void describe_terms(Parameters& is, Air& air) {
 
 namespace {
 
-/// Sets which terms require others. Air on Danjon's scale and regions may have terms that the rest of the air lacks.
+/// Declares which parameters of the air require or exclude others. Regions and Danjon's scale lift the requirements,
+/// because they may bring terms that the rest of the air lacks.
 void relate(Parameters& is) {
   using request::Conditions;
   const auto with = [](Conditions any) {

@@ -10,14 +10,14 @@ namespace coppermoon::uses {
 inline constexpr const char *air_heading = "The Earth's air",
                             *light_heading = "How light is computed";
 
-/// Parameters of a column of air: those that a fit determines, and those that it takes as given.
+/// Parameters of a column of air that a fit determines (describe_sought) or takes as given (describe_layers).
 void describe_sought(request::Parameters& is, ColumnChange& column);
 void describe_layers(request::Parameters& is, ColumnChange& column);
 
-/// Place and column of a part of the limb.
+/// Parameters of a region: its place on the limb and its column of air.
 void describe(request::Parameters& is, AirRegion& region);
 
-/// The atmosphere and its terms, without columns and regions.
+/// Parameters of the atmosphere and its terms, except those of columns and regions.
 void describe_terms(request::Parameters& is, Air& air);
 
 /// All parameters of the air, including regions.
@@ -26,7 +26,7 @@ void describe(request::Parameters& is, Air& air);
 /// Parameters for light from the Sun and the stars: limb darkening, scattered light, starlight.
 void describe_sunlight(request::Parameters& is, LightRequest& light);
 
-/// Requested accuracy and computing time of the light, as text.
+/// Requested accuracy and computing time of the light, as texts.
 struct Effort {
   std::string quality = "standard";
   std::optional<std::string> tolerance{}, budget{};
@@ -38,36 +38,35 @@ void describe(request::Parameters& is, Effort& effort);
 /// Throws  Error  when one of them cannot be understood, or both a tolerance and a quality are given
 plan::Wish wish_of(const Effort& effort);
 
-/// Numbers of wavelengths, rays, planes and so on, set by hand instead of chosen by the plan.
+/// Parameters for the numbers of bands, rays, planes and so on, which the user may set instead of the plan.
 void describe_knobs(request::Parameters& is, plan::ByHand& knobs);
 
-/// Parameters for the solver, the number of photons and the length of their steps.
+/// Parameters for the solver and its photons, such as their number and the length of their steps.
 void describe_solver(request::Parameters& is, LightRequest& light);
 
-/// A part of the limb with air of its own, from a text such as
-/// "from-latitude=-90,to-latitude=0,dust-extinction=1e-5".
+/// Parses a region of the limb from a text such as "from-latitude=-90,to-latitude=0,dust-extinction=1e-5".
 ///
 /// Throws  Error  when the text cannot be understood, or does not say where the region is
 AirRegion region_from(const std::string& text);
 
-/// Work with all terms except those in a list such as "ellipsoid,regions", or "none".
+/// Work with all terms except those in a list such as "ellipsoid,regions". The list "none" leaves out nothing.
 ///
 /// Throws  Error  when the list contains something that is not a term
 plan::Work everything_but(const std::string& list);
 
 /// The air in words, for titles: "standard air, stratospheric aerosol extreme".
 ///
-/// Given  parameters  those of the air, perhaps with others
+/// Given  parameters  those of the air; any others are ignored
 std::string air_in_words(const request::Parameters& parameters);
 
-/// Recipe with the planned work, knob by knob, in place of the settings it was planned from, so that any machine makes
-/// the same Moon. The quality stays, since it may imply more.
+/// Recipe in which the planned work replaces the settings from which it was planned, so that every machine makes the
+/// same Moon. The quality is kept, because it may imply other settings too.
 request::Recipe with_work(const request::Recipe& recipe, const plan::Work& work);
 
-/// Whether a setting is part of the work, or something that the work is planned from.
+/// Whether a setting is part of the planned work, or is used to plan it.
 bool is_planned(const request::Setting& setting);
 
-/// Recipe with everything that photons depend on. Sums of photons with a different recipe are refused.
+/// Recipe of all settings on which photons depend. Sums of photons with a different recipe are refused.
 std::string photons_recipe(const request::Parameters& parameters);
 
 }  // namespace coppermoon::uses

@@ -18,7 +18,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Largest number of photons that a tolerance may require.
+/// Largest number of photons that are traced to reach a tolerance.
 constexpr double most_photons = 1e10;
 
 shadow::PhotonSettings photon_settings(const LightRequest& request) {
@@ -34,7 +34,7 @@ shadow::PhotonSettings photon_settings(const LightRequest& request) {
   return settings;
 }
 
-/// Refuses bad settings before any solver runs, including settings for solvers that are not used.
+/// Refuses invalid settings before any solver runs, even those for solvers that are not used.
 void require_sound(const LightRequest& request) {
   photon_settings(request);
   require_knobs(request.by_hand);
@@ -74,7 +74,7 @@ struct Rig {
   shadow::DirectLight direct_light() const { return {air, arrangement, wavelengths_nm}; }
 };
 
-/// Light from the photons of the requested shard, plus the sums from files. Writes the sums if a file to keep is named.
+/// Traces the requested shard of photons, adds sums from files, writes the sums if asked to, and estimates the light.
 shadow::RefractedLight light_of_photons(const PhotonFiles& files, const Rig& rig,
                                         shadow::PhotonSettings settings,
                                         const algebra::Progress& progress) {
@@ -89,7 +89,8 @@ shadow::RefractedLight light_of_photons(const PhotonFiles& files, const Rig& rig
   return shadow::estimated(sums);
 }
 
-/// Traces photons until the tolerance is met, at most `most` of them, or exactly as many as the request asks for.
+/// Computes light from as many photons as requested. If no number is requested, traces photons until `enough` is
+/// satisfied, but at most `most` of them.
 shadow::RefractedLight photons_of(const LightRequest& request, const Rig& rig,
                                   const std::optional<shadow::StoppingRule>& enough, double most,
                                   const algebra::Progress& progress) {
@@ -103,7 +104,7 @@ shadow::RefractedLight photons_of(const LightRequest& request, const Rig& rig,
   return shadow::smoothed(light, request.smoothing_km * 1e3);
 }
 
-/// Whether the plan leaves out scattered light that may amount to more than a twentieth of the error.
+/// Whether the plan leaves out scattered light that may amount to more than a twentieth of the predicted error.
 bool leaves_scattered_light(const plan::Plan& plan) {
   const auto& all = plan.left_out;
   const auto scattered = std::ranges::find(all, plan::Term::scattered_light, &plan::LeftOut::term);
@@ -112,12 +113,12 @@ bool leaves_scattered_light(const plan::Plan& plan) {
 
 /// Relative error of luminance, measured on the disc. For photons it is at least two standard errors.
 ///
-/// Given  twilight  scattered light that is in the light; nothing if it was left out
+/// Given  twilight  scattered light that `light` includes; nullopt if it includes none
 double found_error(const ShadowedMoon& moon, const Moonlight& light,
                    const std::optional<shadow::RefractedLight>& twilight) {
   const auto weights = at_wavelengths(luminance_weights(), light.plan.work.bands);
   const auto luminance = light.in_sums(weights, light.range);
-  constexpr double between_places = 1.2;  // errors between samples may be larger
+  constexpr double between_places = 1.2;  // errors between the samples may be larger
   const double found = between_places * error_found(moon, light.plan.work, luminance,
                                                     {twilight, leaves_scattered_light(light.plan)});
   const auto distances = distances_over_the_disc(moon);
@@ -154,7 +155,7 @@ shadow::RefractedLight planned_refracted_light(const LightRequest& request, cons
   auto limited = request;
   limited.solver = plan.work.solver;
   if (request.wish.budget_s && !request.photons) limited.photons = plan.work.photons;
-  // without a requested number, do not wait until the darkest sector has enough photons
+  // if photons are not requested, do not wait until the darkest sector has enough of them
   const double most = wants_photons(request) ? most_photons : std::max(1e6, 16 * plan.work.photons);
   const auto& distances = rig.axis_distances_m;
   const shadow::StoppingRule enough{
@@ -162,7 +163,8 @@ shadow::RefractedLight planned_refracted_light(const LightRequest& request, cons
   return photons_of(limited, rig, enough, most, progress);
 }
 
-/// Compares arrangements with distances to the metre, since processors round differently.
+/// Whether two arrangements agree. The Sun's distance may differ by up to 1 km, and depths by up to 1 m, because
+/// processors round differently.
 bool are_alike(const shadow::Arrangement& a, const shadow::Arrangement& b) {
   const auto alike = [](double x, double y) { return std::abs(x - y) < 1; };
   return a.limb_darkening == b.limb_darkening &&

@@ -20,42 +20,42 @@
 
 namespace coppermoon::uses {
 
-/// Photons shared among runs: the shard of this run, and files of sums.
+/// How the photons are divided among several runs: the shard that this run traces, and files with sums of photons.
 struct PhotonFiles {
   std::optional<Shard> shard{};              ///< if absent, all photons
-  std::filesystem::path keep{};              ///< file to write the sums to, if not empty
+  std::filesystem::path keep{};              ///< file to write the sums to; not written if empty
   std::vector<std::filesystem::path> add{};  ///< files with sums to add
-  std::string key{};  ///< recipe of these photons; sums with a different one are refused
+  std::string key{};  ///< recipe of the photons; sums with a different recipe are refused
 
-  /// Whether any of these is requested; other solvers refuse such a request.
+  /// Whether a shard or any file is requested. Only the photon solvers accept such a request.
   bool asked_for() const { return shard || !keep.empty() || !add.empty(); }
 };
 
 using plan::Solver;
 
-/// Whether to compute sunlight that the air scatters into the shadow; automatic: if it matters.
+/// Whether to compute sunlight that the air scatters into the shadow. `automatic` computes it if it matters.
 enum class ScatteredLight { automatic, on, off };
 
-/// Request for light: Sun, Earth and air, and the solver.
+/// Request for light: the Sun, the Earth and its air, and how the light is computed.
 struct LightRequest {
   Air air{};
-  std::optional<bool> limb_darkening{};  ///< if absent, on except with the atmosphere "paper"
+  std::optional<bool> limb_darkening{};  ///< if absent, on unless the atmosphere is "paper"
   ScatteredLight scattered_light = ScatteredLight::automatic;
   bool starlight = false;
-  /// automatic: the quickest solver, or photons with tables if `photons` is given
+  /// `automatic` means the quickest solver, or photons by table if `photons` is given
   Solver solver = Solver::automatic;
   plan::Wish wish{.tolerance = 0.01};
-  plan::ByHand by_hand{};           ///< replace planned settings, except solver and photons
+  plan::ByHand by_hand{};           ///< settings made by the user; solver and photons are unused
   std::optional<double> photons{};  ///< 1 to 1e12; if absent, as many as the tolerance needs
-  double step_km = 1;               ///< length of a step of a photon's path
+  double step_km = 1;               ///< length of the steps along a literal photon's path
   double ring_km = 50;              ///< width of the rings that gather photons
-  double smoothing_km = 0;  ///< standard deviation of the Gaussian that smooths them, 0 to 2000
-  std::uint64_t seed = 1;   ///< for the photons
+  double smoothing_km = 0;  ///< standard deviation of the Gaussian that smooths photons, 0 to 2000
+  std::uint64_t seed = 1;   ///< of the random numbers for photons
   PhotonFiles photon_files{};
 };
 
-/// Scattered light that a request asks for. With air on Danjon's scale, `automatic` means off, since the scale was
-/// fitted to observed eclipses, which include scattered light.
+/// Whether a request asks for scattered light. For air on Danjon's scale, `automatic` means off, because the scale was
+/// fitted to observed eclipses, whose light already includes scattered light.
 ScatteredLight scattered_light_of(const LightRequest& request);
 
 /// Whether the Sun is limb-darkened: as requested, by default except with the atmosphere "paper".
@@ -67,13 +67,13 @@ ShadowedMoon shadowed_moon(const LightRequest& request, const almanac::SkyState&
 /// Wavelengths and places at which light is computed on each plane.
 struct LightGrid {
   std::span<const double> wavelengths_nm;
-  std::span<const double> axis_distances_m{};   ///< photons use rings instead
-  std::size_t around = shadow::sectors_around;  ///< sectors, if light varies around the axis
+  std::span<const double> axis_distances_m{};   ///< ignored by photons, which use rings
+  std::size_t around = shadow::sectors_around;  ///< number of sectors, unless light is symmetric
 };
 
-/// Refracted light by the requested solver. Scattered light is included unless it is off or left out (`automatic`
-/// includes it), and starlight if it is on. Rays and terms of the Sun are chosen for a tolerance of 0.1 %, or for the
-/// request's if that is finer.
+/// Refracted light, computed by the requested solver. Scattered light is included unless it is off (scattered_light_of)
+/// or left out, and starlight is included if requested. The numbers of rays and of the Sun's terms are chosen for a
+/// tolerance of 0.1 %, or for the requested tolerance if it is finer.
 ///
 /// Throws  Error  when photons are requested without a number of them
 shadow::RefractedLight refracted_light(const LightRequest& request,
@@ -82,33 +82,32 @@ shadow::RefractedLight refracted_light(const LightRequest& request,
                                        const LightGrid& grid,
                                        const algebra::Progress& progress = {});
 
-/// Light that falls on the Moon's sphere. If `refracted` is absent, it is unshadowed sunlight.
+/// Light that falls on the Moon. If `refracted` is absent, the light is unshadowed sunlight.
 struct Moonlight {
   std::optional<shadow::RefractedLight> refracted;
   std::optional<shadow::DirectLight> direct;
   shadow::LookupRange range;
   plan::Plan plan;
-  /// largest relative error of luminance on the disc: the largest at sample places plus a fifth; 0: not determined
+  /// largest relative error of luminance on the disc: 1.2 times the largest at sample places; 0 if not determined
   double error_found = 0;
 
-  /// Given  weights  (channel, band)
+  /// Given  weights  (channel, band), for the bands of band_edges_nm
   shadow::Lookup in_channels(const shadow::ChannelWeights& weights) const;
 
-  /// Given  weights  (channel, wavelength), for the plan's `wavelengths_nm`
+  /// Given  weights  (channel, wavelength), for the wavelengths of the plan
   shadow::Lookup in_sums(const shadow::ChannelWeights& weights, const shadow::LookupRange& within,
                          shadow::LightPart part = shadow::LightPart::all) const;
 };
 
 /// Refuses a moment without an eclipse.
 ///
-/// Throws  Error  which names the nearest eclipse, followed by `way_out`
+/// Throws  Error  if there is none; the message names the nearest eclipse and ends with `way_out`
 void require_eclipse(const almanac::Instant& when, const std::string& way_out = {},
                      almanac::Calendar calendar = almanac::Calendar::gregorian);
 
 /// Plans and computes the light on the Moon at one moment.
 ///
-/// Throws  Error  when the Moon is not in the Earth's shadow at that moment (names the nearest eclipse), or the
-///                request is invalid
+/// Throws  Error  when the request is invalid, or there is no eclipse at that moment; the message names the nearest one
 Moonlight light_on_the_moon(const LightRequest& request, const almanac::SkyState& sky,
                             const Purpose& purpose = {}, const algebra::Progress& progress = {});
 
@@ -119,33 +118,33 @@ Moonlight unshadowed_light(const LightRequest& request, const almanac::SkyState&
 
 /// The plan that light_on_the_moon would follow, without computing any light.
 ///
-/// Throws  Error  as light_on_the_moon
+/// Throws  Error  as for light_on_the_moon
 plan::Plan planned_light(const LightRequest& request, const almanac::SkyState& sky,
                          const Purpose& purpose = {});
 
-/// Whether the request asks for photons, as its solver or by giving their number.
+/// Whether the request asks for photons, either through its solver or by giving their number.
 bool wants_photons(const LightRequest& request);
 
-/// Skies along the Moon's path, at most three minutes apart. Between them the path strays 0.1 km from a straight line.
+/// Skies along the Moon's path, at most three minutes apart. From one to the next, the path is straight within 0.1 km.
 std::vector<almanac::SkyState> skies_between(const almanac::Instant& from,
                                              const almanac::Instant& to);
 
 /// The Moon on its path through the shadow.
 ///
 /// Given   skies  in order of time, at most a few minutes apart
-/// Throws  Error  when no eclipse is under way at any of them (names the nearest eclipse)
+/// Throws  Error  when none of the skies falls within an eclipse; the message names the nearest eclipse
 ShadowedMoon moon_on_its_way(const LightRequest& request, std::span<const almanac::SkyState> skies);
 
-/// Light on a Moon's whole path, from one simulation.
+/// Light along the Moon's whole path, computed in one simulation.
 Moonlight light_on_the_way(const LightRequest& request, const ShadowedMoon& moon,
                            const Purpose& purpose = {}, const algebra::Progress& progress = {});
 
 /// Adds direct light to light that was read from a file.
 ///
-/// Returned  whether the light belongs to the Moon's path
+/// Returned  false if the light was computed for another path of the Moon; in that case nothing is added
 bool complete(const ShadowedMoon& moon, Moonlight& light);
 
-/// Range of the light on the Moon's path that its disc covers at one moment; nothing for unshadowed sunlight.
+/// Part of the light along the Moon's path that the disc covers at one moment; nullopt if the whole disc is unshadowed.
 std::optional<shadow::LookupRange> range_at(const Moonlight& light, const almanac::SkyState& sky);
 
 }  // namespace coppermoon::uses

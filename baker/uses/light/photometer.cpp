@@ -40,7 +40,7 @@ std::vector<double> sunlight_in(const algebra::Grid<double>& response) {
   return sums;
 }
 
-/// Calls `add(row, column, solid angle)` for every texel that faces a place.
+/// Calls `add(row, column, solid angle)` for every texel that is visible from a place.
 void for_each_seen(std::size_t rows, const almanac::SkyState& sky, const glm::dvec3& from_m,
                    const std::function<void(std::size_t, std::size_t, double)>& add) {
   const glm::dmat3 gcrs_from_selenographic = glm::transpose(sky.selenographic_from_gcrs);

@@ -22,40 +22,40 @@ struct PhotometricBand {
   double solar_magnitude;  ///< of the Sun at 1 au
 };
 
-/// Index of V among the bands.
+/// Index of V among photometric_bands.
 inline constexpr std::size_t V_band = 1;
 
-/// B, V (Johnson) and R (Cousins).
+/// The photometric bands B and V (Johnson) and R (Cousins).
 ///
 /// Source  V = −26.76, B − V = 0.653, V − R = 0.356: Ramírez et al. (2012), ApJ 752, 5; Willmer (2018), ApJS 236, 47
 std::vector<PhotometricBand> photometric_bands();
 
 /// Numbers keyed by the names of their bands.
 ///
-/// Given  numbers  [band]; if empty, no band is listed
+/// Given  numbers  [band]; if empty, so is the result
 algebra::ByName<double> by_band(const std::vector<double>& numbers);
 
-/// Response of these bands to irradiance, [band][wavelength band]: with a peak of 1, times the wavelength band's width
-/// [nm].
+/// Response of the photometric bands to irradiance, [band][wavelength band]. Each response has a peak of 1 and is
+/// multiplied by the width of the wavelength band [nm].
 ///
-/// Given  edges_nm  380 to 780
-/// Omits  the part of R beyond 780 nm, 6 % of it
+/// Given  edges_nm  of the wavelength bands, 380 to 780
+/// Omits  the part of R beyond 780 nm, which is 6 % of R
 /// Source Bessell (1990), PASP 102, 1181
 algebra::Grid<double> photometric_response(std::span<const double> edges_nm);
 
-/// Channels of a texture for measuring the Moon: photometric_bands, and luminance.
+/// Channels of a texture on which the Moon is measured: the photometric bands, and luminance.
 struct Photometer {
   std::vector<std::string> channels;
   algebra::Grid<double> weights;  ///< [channel][band], for moonlight
-  std::vector<double> sunlight;   ///< [channel], at 1 au
+  std::vector<double> sunlight;   ///< [channel]: irradiance at 1 au
 };
 
-/// Given  sightline  through the air above an observer, which dims the Moon; if absent, the Moon as seen from space
+/// Given  sightline  through the air above an observer, which dims the Moon; if absent, the Moon is seen from space
 Photometer photometer(const std::optional<atmosphere::Sightline>& sightline = {});
 
 /// Brightness of the whole disc.
 struct DiscBrightness {
-  std::vector<double> magnitudes;  ///< [band]; infinite when nothing is lit
+  std::vector<double> magnitudes;  ///< [band]; infinite if the disc is black
   double mean_luminance_cd_m2 = 0;
   double illuminance_lx = 0;  ///< on a surface that faces the Moon
 };
@@ -74,7 +74,7 @@ void describe_light(Field&& is, const DiscBrightness& disc) {
      "illuminance on a surface that faces the Moon");
 }
 
-/// Describes magnitudes with one key per band, with `where` appended to each meaning.
+/// Describes the magnitude in each band under a key of its own. `where` is appended to each description.
 ///
 /// Given  disc  nullptr if the numbers are not known
 template <class Field>
@@ -104,21 +104,21 @@ void describe_columns(Field&& is, const DiscBrightness* disc, const std::string&
 /// Brightness of the Moon's disc, measured on a texture.
 ///
 /// Given  texture  plate carrée, with the photometer's channels
-///        from_m   the place from which the Moon is seen: geocentric, GCRS axes
+///        from_m   the place from which the Moon is seen, relative to the Earth's centre on GCRS axes
 DiscBrightness measured(const Photometer& photometer, const texture::Image& texture,
                         const almanac::SkyState& sky, const glm::dvec3& from_m = {0, 0, 0});
 
-/// Irradiance from the whole Moon in each channel:
+/// Irradiance from the whole Moon in each channel, summed over texels of area ΔA:
 ///
 ///     E = Σ L cos e ΔA / d²        e: emission angle, d: distance from the texel to the observer
 ///
-/// Given     texture  plate carrée, any channels of radiance or luminance
-///           from_m   the place from which the Moon is seen: geocentric, GCRS axes
+/// Given     texture  plate carrée, with any channels of radiance or luminance L
+///           from_m   the place from which the Moon is seen, relative to the Earth's centre on GCRS axes
 /// Returned  [channel]  irradiance or illuminance on a surface that faces the Moon
 std::vector<double> irradiance_of_disc(const texture::Image& texture, const almanac::SkyState& sky,
                                        const glm::dvec3& from_m = {0, 0, 0});
 
-/// Solid angle of the Moon as seen from a place [sr], summed over the same texels as in irradiance_of_disc.
+/// Solid angle of the Moon as seen from a place [sr], summed over the same texels as irradiance_of_disc.
 double solid_angle_of_disc(std::size_t rows, const almanac::SkyState& sky,
                            const glm::dvec3& from_m = {0, 0, 0});
 
@@ -126,8 +126,8 @@ double solid_angle_of_disc(std::size_t rows, const almanac::SkyState& sky,
 ///
 ///     m = 4.2 − 3 L + (L/2)²
 ///
-/// Returned  L, limited to 0 to 4
-/// Accuracy  0.4 between observers
+/// Returned  L, clamped to 0 to 4
+/// Accuracy  0.4, by which observers' estimates differ
 /// Source    H. C. Vital's correlation of observers' estimates (REA Brazil, 2004 to 2015)
 double danjon_estimate(double visual_magnitude);
 

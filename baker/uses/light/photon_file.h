@@ -12,7 +12,7 @@ namespace coppermoon::uses {
 /// Throws  Error  one line with the path, when the file cannot be written
 void write_sums(const std::filesystem::path& path, const shadow::PhotonSums& sums);
 
-/// Reads sums of photons, identical bit for bit to what was written.
+/// Reads sums of photons exactly as they were written, bit for bit.
 ///
 /// Throws  Error  "<path>: …" when the file cannot be read, is of another kind or version, or holds invalid sums: lists
 ///                of the wrong length, numbers that are negative or not finite, blocks out of order

@@ -26,7 +26,7 @@ using std::numbers::pi;
 
 const double lunar_radius_m = algebra::in_metres(almanac::lunar_radius);
 
-/// Places of the Moon's centre: its path, or a single place.
+/// Places of the Moon's centre: all those on its path, or the only one if there is no path.
 std::span<const eclipse::ShadowPlace> centres(const ShadowedMoon& moon) {
   return moon.path.empty() ? std::span(&moon.centre, 1) : std::span(moon.path);
 }
@@ -43,7 +43,7 @@ struct Range {
 /// Axis distance beyond which nothing blocks sunlight.
 constexpr double farthest_m = 1.2e7;
 
-/// Range of axis distances that the Moon's disc covers.
+/// Range of axis distances that the Moon's disc covers, along the whole path if there is one.
 Range disc_of(const ShadowedMoon& moon) {
   Range disc{farthest_m, 0};
   for (const auto& place : centres(moon)) {
@@ -55,7 +55,7 @@ Range disc_of(const ShadowedMoon& moon) {
   return disc;
 }
 
-/// Number of places or planes over a range, given the number for one lunar diameter, which is also the least.
+/// Number of sample places across a range, given the number across one lunar diameter, which is also the minimum.
 int places_over(Range disc, int a_diameter) {
   const double diameters = (disc.to_m - disc.from_m) / (2 * lunar_radius_m);
   return static_cast<int>(std::ceil(a_diameter * std::max(1., diameters) - 1e-9));
@@ -70,7 +70,7 @@ std::vector<double> evenly(Range range, int intervals) {
 
 constexpr std::size_t sectors_of_a_trial = 24;
 
-/// Sectors that the Moon's disc covers when its centre is at a place.
+/// Sectors that the Moon's disc covers when its centre is at the given place.
 shadow::Sectors sectors_of(const eclipse::ShadowPlace& place, std::size_t around) {
   const double centre = algebra::in_metres(place.axis_distance);
   if (centre <= lunar_radius_m) return {around};
@@ -79,12 +79,12 @@ shadow::Sectors sectors_of(const eclipse::ShadowPlace& place, std::size_t around
   return shadow::between_angles(around, middle - half, middle + half);
 }
 
-/// Sectors that the disc covers along its whole path: all except the widest gap.
+/// Sectors that the disc covers along its whole path: all except those in the widest gap.
 shadow::Sectors sectors_of(const ShadowedMoon& moon, std::size_t around) {
   std::vector<shadow::Sectors> taken;
   for (const auto& place : centres(moon)) taken.push_back(sectors_of(place, around));
   const shadow::Sectors all{around};
-  shadow::Sectors widest{around, 0, 0};  // gap
+  shadow::Sectors widest{around, 0, 0};  // widest gap
   for (std::size_t first = 0; first < around; ++first) {
     const auto is_taken = [&](std::size_t i) {
       return std::ranges::any_of(taken,
@@ -97,7 +97,7 @@ shadow::Sectors sectors_of(const ShadowedMoon& moon, std::size_t around) {
   return {around, widest[widest.count], around - widest.count};
 }
 
-/// The air made uniform around the limb. With belts, it becomes the column at the Moon's position angle.
+/// Makes the air uniform around the limb. If it has belts, the column at the Moon's position angle is used everywhere.
 atmosphere::Atmosphere of_one_column(const atmosphere::Atmosphere& air,
                                      const eclipse::ShadowPlace& moon) {
   auto one = air;
@@ -109,7 +109,7 @@ atmosphere::Atmosphere of_one_column(const atmosphere::Atmosphere& air,
   return one;
 }
 
-/// Ratio of luminance to that of unshadowed sunlight, by sector of the disc.
+/// Luminance relative to that in unshadowed sunlight, in each sector that the disc covers.
 struct CoarseLight {
   std::vector<std::vector<double>> refracted, direct;  ///< [sector][place]
 };
@@ -149,7 +149,7 @@ CoarseLight tried(const ShadowedMoon& moon, const atmosphere::Atmosphere& whole,
   return coarse;
 }
 
-/// Largest relative change in luminance when a term is left out.
+/// Largest relative change in luminance on the disc if a term is left out.
 double largest_change(const CoarseLight& all, const CoarseLight& without) {
   double worst = 0;
   for (std::size_t s = 0; s < all.refracted.size(); ++s)
@@ -165,8 +165,8 @@ double largest_change(const CoarseLight& all, const CoarseLight& without) {
   return worst;
 }
 
-/// Share of scattered light where the disc is darkest. If an upper bound shows that it is negligible, returns the bound
-/// and computes no scattered light.
+/// Share of scattered light in all light where the disc is darkest. If an upper bound on the share is negligible, the
+/// bound is returned, and no scattered light is computed.
 double scattered_share(const ShadowedMoon& moon, const CoarseLight& coarse,
                        std::span<const double> places_m) {
   constexpr double most = 1.2e-6, counts = 1e-5;
@@ -186,7 +186,7 @@ double scattered_share(const ShadowedMoon& moon, const CoarseLight& coarse,
   return share > 0 ? share / (darkest + share) : 0;
 }
 
-/// Ratio of scattered light to unshadowed sunlight at 560 nm, the largest around the axis.
+/// Ratio of scattered light to unshadowed sunlight at 560 nm, at the brightest position angle for each axis distance.
 std::vector<double> scattered_at(std::span<const double> places_m,
                                  const atmosphere::Atmosphere& air,
                                  const shadow::Arrangement& arrangement) {
@@ -200,8 +200,8 @@ std::vector<double> scattered_at(std::span<const double> places_m,
   return most;
 }
 
-/// Adds axis distances where light is least smooth. Direct light begins between the edges of the pole's umbra and the
-/// equator's, one node of the look-up farther out. It is complete at the penumbra's edge, and steepest just inside it.
+/// Adds axis distances where light is least smooth: between the umbra's edges for the polar and the equatorial radius,
+/// where direct light begins, and just inside the penumbra's edge, where it changes fastest.
 void add_edges_of_the_shadow(const ShadowedMoon& moon, const shadow::Arrangement& arrangement,
                              Range disc, std::vector<double>& places_m) {
   constexpr double a_node_m = 10e3, within_penumbra_m = 150e3;
@@ -223,7 +223,7 @@ void add_edges_of_the_shadow(const ShadowedMoon& moon, const shadow::Arrangement
   places_m.erase(std::unique(places_m.begin(), places_m.end()), places_m.end());
 }
 
-/// Safety factor on the size of a term, since coarse light underestimates it.
+/// Safety factor on the size of a term, because coarse light underestimates it.
 constexpr double margin = 2;
 
 }  // namespace
@@ -279,7 +279,7 @@ shadow::QuadratureSettings quadrature_for(const plan::Work& work, const Shadowed
                                           std::size_t around) {
   return {.rays = work.rays,
           .sun_terms = work.sun_terms,
-          .sectors = sectors_of(moon, around).widened(),  // for the cubics between sectors
+          .sectors = sectors_of(moon, around).widened(),  // cubics need neighbouring sectors
           .place_error = work.place_error};
 }
 
@@ -305,7 +305,7 @@ plan::Scene scene_of(const ShadowedMoon& moon, const Purpose& purpose) {
     one_column.regions = false;
     const auto alike = tried(moon, air_for(one_column, moon), places);
     if (air_by_place) scene.without_regions = margin * largest_change(coarse, alike);
-    if (scene.ellipsoid) {  // the same in uniform air, and four times cheaper there
+    if (scene.ellipsoid) {  // compared in uniform air, with the same result but four times faster
       auto sphere = one_column;
       sphere.ellipsoid = false;
       scene.without_ellipsoid =
@@ -342,15 +342,15 @@ shadow::ChannelWeights luminance_weights() {
 
 namespace {
 
-/// The depth farthest from all planes.
+/// The depth that is farthest from all planes, where interpolation between planes errs most.
 double depth_between_planes(const ShadowedMoon& moon, int planes) {
   if (planes == 1) return mean_depth_m(moon) + lunar_radius_m / 2;
   const auto depths = depths_of(moon, planes);
   return std::midpoint(depths[depths.size() - 2], depths.back());
 }
 
-/// Settings for light that errors are measured against. The number of sectors has no divisor in common with a plan's,
-/// so their middles do not coincide. With regions there are fewer sectors, since each takes more time.
+/// Settings for light against which errors are measured. The number of sectors has no divisor in common with a plan's,
+/// so that their middles do not coincide. With regions there are fewer sectors, because each takes more time.
 shadow::QuadratureSettings settings_of_check(const plan::Work& finer, const ShadowedMoon& moon) {
   const std::size_t around = moon.air.regions.empty() ? 29 : 13;
   auto settings = quadrature_for(finer, moon, around);
@@ -362,7 +362,7 @@ shadow::QuadratureSettings settings_of_check(const plan::Work& finer, const Shad
   return settings;
 }
 
-/// Reference light for finding the error of a look-up.
+/// Reference light with which a look-up is compared to find its error.
 class ExactLight {
  public:
   ExactLight(const ShadowedMoon& moon, const plan::Work& work, double depth_m,
@@ -370,11 +370,11 @@ class ExactLight {
       : depth_m_(depth_m),
         settings_(settings_of_check(finer(work), moon)),
         weights_(at_wavelengths(luminance_weights(), finer(work).bands)) {
-    constexpr double off_nodes = 0.07;  // lunar radii, to avoid places where light was computed
+    constexpr double off_nodes = 0.07;  // lunar radii; avoids places where light was computed
     const auto disc = disc_of(moon);
     auto places =
         evenly({disc.from_m + off_nodes * lunar_radius_m, disc.to_m}, places_over(disc, 15));
-    // the darkest place on a Moon beside the axis, where the error of direct light is largest
+    // if the Moon does not reach the axis, its darkest place, where the error of direct light is largest
     if (disc.from_m > 0) places.insert(places.begin(), disc.from_m);
     const auto arrangement = arrangement_of(moon, {depth_m});
     add_edges_of_the_shadow(moon, arrangement, disc, places);

@@ -14,23 +14,23 @@
 
 namespace coppermoon::uses {
 
-/// The Moon in the shadow, at one moment or along its path, with the Sun and the air.
+/// The Moon in the shadow, at one moment or along its path, together with the Sun and the Earth's air.
 struct ShadowedMoon {
   eclipse::ShadowPlace centre{};
   double sun_distance_m = 0;
   bool limb_darkening = true;
   atmosphere::Atmosphere air{};
-  std::vector<eclipse::ShadowPlace> path{};  ///< of the Moon's centre; empty for one moment
+  std::vector<eclipse::ShadowPlace> path{};  ///< of the Moon's centre; empty for a single moment
 };
 
-/// What the light is for, which decides what it may cost.
+/// What the light is used for, on which the computing time depends.
 struct Purpose {
-  double texels = 0;       ///< number of texels to bake; 0: no texture
+  double texels = 0;       ///< number of texels to bake; 0 if there is no texture
   bool map_file = false;   ///< whether an albedo map is read from a file
-  bool error_told = true;  ///< whether the light's error is determined
+  bool error_told = true;  ///< whether to determine the light's error
 };
 
-/// Refuses knobs set by hand that are outside their ranges.
+/// Refuses settings made by the user that are outside their ranges.
 ///
 /// Throws  Error
 void require_knobs(const plan::ByHand& by_hand);
@@ -38,13 +38,13 @@ void require_knobs(const plan::ByHand& by_hand);
 /// Sun's disc, and the planes behind the Earth at these depths.
 shadow::Arrangement arrangement_of(const ShadowedMoon& moon, std::vector<double> depths_m);
 
-/// Depths of planes through the half of the Moon that faces the Sun. For a path, they cover all its depths as densely.
+/// Depths of planes through the half of the Moon that faces the Sun. For a path, equally dense planes cover all depths.
 std::vector<double> depths_of(const ShadowedMoon& moon, int planes);
 
-/// Axis distances at most 200 km apart, covering the disc with a margin on both sides.
+/// Axis distances, at most 200 km apart, that cover the disc with a margin on both sides.
 std::vector<double> distances_over_the_disc(const ShadowedMoon& moon);
 
-/// Air without the terms that some work leaves out (plan::Work).
+/// Air without the terms that the given work leaves out, such as regions or the ellipsoid.
 atmosphere::Atmosphere air_for(const plan::Work& work, const ShadowedMoon& moon);
 
 /// Number of sectors around the axis, between which light is interpolated by cubics. In a plan of reference quality,
@@ -57,26 +57,26 @@ inline constexpr std::size_t sectors_of_a_plan = 96;
 shadow::QuadratureSettings quadrature_for(const plan::Work& work, const ShadowedMoon& moon,
                                           std::size_t around = sectors_of_a_plan);
 
-/// Scene for the planner. The size of each term is roughly estimated at a few places.
+/// Scene for the planner. The effect of each term is estimated roughly, at a few places.
 plan::Scene scene_of(const ShadowedMoon& moon, const Purpose& purpose);
 
 /// Speed of this machine, measured by timing a small quadrature.
 plan::Machine this_machine();
 
-/// Weights of the wavelengths for luminance.
+/// Weights of spectral bands of 1 nm (band_edges_nm) for the luminance of moonlight.
 shadow::ChannelWeights luminance_weights();
 
-/// How a check of the error treats scattered light.
+/// How a check of the light's error treats scattered light.
 struct ScatteredInCheck {
   std::optional<shadow::RefractedLight>
-      computed{};       ///< twilight already in the light (shadow::twilight_about), not checked
-  bool counts = false;  ///< if not computed, it is part of the error
+      computed{};       ///< twilight that the light includes (shadow::twilight_about), not checked
+  bool counts = false;  ///< whether scattered light, if not computed, counts as error
 };
 
-/// Largest relative error of luminance at sample places, compared with light with all terms and finer settings
-/// (plan::finer). The places lie evenly over the disc, where direct light begins, and where light is least smooth, at
-/// the depth farthest from all planes. Within one node of the look-up (1 km) of where light begins at all, the error
-/// means nothing.
+/// Largest relative error of luminance at sample places, in comparison with light that has all terms and finer settings
+/// (plan::finer). The places are spread evenly over the disc, with more where light is least smooth. All lie at the
+/// depth farthest from the planes. Places within 1 km (one node of the look-up) of the point where light begins are
+/// ignored, because the error means nothing there.
 ///
 /// Given  luminance  one channel, made with luminance_weights
 double error_found(const ShadowedMoon& moon, const plan::Work& work,

@@ -36,7 +36,7 @@ struct Lookout {
   algebra::Angle earth_altitude() const {
     return algebra::radians(std::asin(glm::dot(earthward(), zenith)));
   }
-  /// Position angle on the sky about the Earth's centre.
+  /// Position angle of a direction about the Earth's centre, on the observer's sky.
   algebra::Angle position_angle(const glm::dvec3& direction) const {
     return almanac::position_angle(earthward(), direction, celestial_pole);
   }
@@ -71,11 +71,11 @@ void require_umbra(const Lookout& lookout, const atmosphere::Atmosphere& air,
       direct, in_degrees(lookout.place.latitude), in_degrees(lookout.place.longitude)));
 }
 
-/// Weights by wavelength for the Sun's mean radiance in picture_space [cd/m²], times a scale.
+/// Weights of wavelengths that convert radiance relative to the Sun's mean into picture_space [cd/m²], times `scale`.
 shadow::ChannelWeights sun_weights(double scale) {
   auto weights = white_ground_weights(colour::channel_weights(picture_space, band_edges_nm()));
   const double radii = almanac::astronomical_unit_m / photons::solar_radius_m;
-  for (double& weight : weights.values()) weight *= scale * radii * radii;  // they are for E/π
+  for (double& weight : weights.values()) weight *= scale * radii * radii;  // from E/π to radiance
   return at_wavelengths(weights, ring_bands);
 }
 
@@ -97,7 +97,7 @@ Angles angles_of(const shadow::LimbRing& ring) {
 
 /// Image of the ring.
 ///
-/// Given  north_rad  position angle of the shadow frame's Y axis on the sky; X points west there
+/// Given  north_rad  position angle on the sky of the shadow frame's Y axis; its X axis points west
 ///        weights    (channel, wavelength), for radiance relative to the Sun's mean
 texture::Image image_of(const shadow::LimbRing& ring, const Angles& angles, double north_rad,
                         const shadow::ChannelWeights& weights) {

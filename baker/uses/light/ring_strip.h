@@ -10,13 +10,13 @@
 
 namespace coppermoon::uses {
 
-/// Orientation of the strip and the Earth on the sky. Position angles are measured about the Earth's centre, from
-/// celestial north through east.
+/// Size and orientation of the strip and of the Earth on the Moon's sky. Position angles are measured about the Earth's
+/// centre, from celestial north through east.
 struct RingFigures {
-  almanac::SelenographicPoint place;  ///< on the Moon
+  almanac::SelenographicPoint place;  ///< of the observer on the Moon
   algebra::Angle inner, outer;        ///< angles of the strip's edges from the Earth's centre
   double earth_distance_km = 0;
-  algebra::Angle earth_altitude, zenith, sun;  ///< zenith and Sun: position angles
+  algebra::Angle earth_altitude, zenith, sun;  ///< `zenith` and `sun` are position angles
   double scale = 1;
 };
 
@@ -47,10 +47,10 @@ struct RingStrip {
 };
 
 /// Given   request  only its air and its Sun are used
-///         on       place on the Moon; if absent, the point with the Earth at its zenith
+///         on       place on the Moon; if absent, the point with the Earth at the zenith
 ///         scale    factor on all values, 1e-9 to 1e9
-/// Throws  Error    when no eclipse is under way, the Earth is below that place's horizon, direct
-///                  sunlight falls there, or the air bends no light to it
+/// Throws  Error    when no eclipse is under way, the Earth is below the place's horizon, direct sunlight
+///                  reaches the place, or the air bends no light towards it
 RingStrip ring_strip(const LightRequest& request, const almanac::SkyState& sky,
                      const std::optional<almanac::SelenographicPoint>& on = {}, double scale = 1);
 

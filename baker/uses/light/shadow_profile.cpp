@@ -32,7 +32,7 @@ std::vector<double> distances_of(const ProfilePlaces& places, const ShadowCut& c
   return distances;
 }
 
-/// Standard errors interpolated at other distances, 0 beyond the last.
+/// Standard errors, interpolated to the given axis distances; 0 beyond the last known one.
 algebra::Grid<double> errors_at(const shadow::RefractedLight& light, std::size_t sector,
                                 const std::vector<double>& distances_m) {
   algebra::Grid<double> there(distances_m.size(), light.wavelengths_nm.size());
@@ -48,7 +48,7 @@ algebra::Grid<double> errors_at(const shadow::RefractedLight& light, std::size_t
   return there;
 }
 
-/// Weight of each sector: equal weights, or those of a cubic through the sectors around a position angle.
+/// Weight of each sector for cubic interpolation at a position angle. If no angle is given, all weights are equal.
 std::vector<double> sector_shares(std::size_t sectors, std::optional<double> position_angle_deg) {
   if (!position_angle_deg) return std::vector<double>(sectors, 1 / static_cast<double>(sectors));
   std::vector<double> shares(sectors);
@@ -94,7 +94,7 @@ ShadowProfile shadow_profile(const LightRequest& request, const ShadowCut& cut,
       }
     }
   }
-  for (double& value : profile.ratio.values()) value = std::max(value, 0.);  // noise
+  for (double& value : profile.ratio.values()) value = std::max(value, 0.);  // cut noise below 0
   return profile;
 }
 

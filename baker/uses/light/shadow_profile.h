@@ -14,22 +14,22 @@ namespace coppermoon::uses {
 /// A plane across the shadow, with the air and the Sun.
 struct ShadowCut {
   atmosphere::Atmosphere air;
-  shadow::Arrangement arrangement;  ///< one plane
+  shadow::Arrangement arrangement;  ///< with only one plane
 };
 
-/// The plane through the Moon's centre at one moment, with air that lacks the terms the request leaves out.
+/// The plane through the Moon's centre at one moment. Its air lacks the terms that the request leaves out.
 ShadowCut shadow_at_the_moon(const LightRequest& request, const almanac::SkyState& sky);
 
-/// Places and wavelengths of a profile.
+/// Places and wavelengths at which a profile is computed.
 struct ProfilePlaces {
   std::vector<double> wavelengths_nm{450, 550, 650};  ///< 380 to 780
-  std::vector<double> axis_distances_m{};  ///< increasing; empty: every 100 km to the shadow's edge
-  /// about the axis, from celestial north through east, 0 to 360; if absent, the mean over all of them
+  std::vector<double> axis_distances_m{};  ///< increasing; if empty, every 100 km across the shadow
+  /// about the axis, from celestial north through east, 0 to 360; if absent, the mean over all position angles
   std::optional<double> position_angle_deg{};
 };
 
-/// Ratio of irradiance across the shadow to unobstructed sunlight, with refracted, scattered and direct light, and the
-/// ratio's standard error: (axis distance, wavelength).
+/// Ratio of irradiance to unobstructed sunlight across the shadow, and the ratio's standard error, both indexed by
+/// (axis distance, wavelength). Refracted, scattered and direct light are included.
 struct ShadowProfile {
   std::vector<double> wavelengths_nm, axis_distances_m;
   algebra::Grid<double> ratio, standard_error;
@@ -54,8 +54,7 @@ void describe(Field&& is, const ShadowProfile& profile) {
      "standard error of the ratio, of photons, shape (D, W)");
 }
 
-/// Throws  Error  when no wavelength is given, or a distance is outside 0 to 1e8 m or not greater than
-///                the one before; also as refracted_light does
+/// Throws  Error  as for refracted_light; if no wavelength is given, or distances are not increasing within 0 to 1e8 m
 ShadowProfile shadow_profile(const LightRequest& request, const ShadowCut& cut,
                              const ProfilePlaces& places = {},
                              const algebra::Progress& progress = {});

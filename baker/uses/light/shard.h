@@ -11,7 +11,7 @@ struct Shard {
   std::size_t part = 1, parts = 1;
 };
 
-/// Throws  Error  when the text is not of that form, or N is above 100000
+/// Throws  Error  when the text is not of the form "K/N", or N is above 100000
 Shard shard_from(const std::string& text);
 
 }  // namespace coppermoon::uses

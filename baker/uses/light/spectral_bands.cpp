@@ -35,7 +35,7 @@ std::vector<double> lunar_reflectance() {
   return reflectance;
 }
 
-/// Mean of the colour spectrum weighted by moonlight and the eye's response.
+/// Mean of surface::colour_spectrum, weighted by moonlight and the eye's response.
 double mean_colour() {
   const auto xyz = colour::xyz_weights(band_edges_nm());
   const auto all = moonlight_weights(xyz);

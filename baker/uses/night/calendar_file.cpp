@@ -12,7 +12,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// A time as in RFC 5545: "20180727T202145Z".
+/// A time in the format of RFC 5545, such as "20180727T202145Z".
 std::string stamp(const almanac::Instant& when) {
   std::string digits;
   for (const char c : almanac::utc_text(when))
@@ -20,7 +20,7 @@ std::string stamp(const almanac::Instant& when) {
   return digits;
 }
 
-/// A line as in RFC 5545, folded after 75 bytes between UTF-8 characters.
+/// A line folded as in RFC 5545, after at most 75 bytes and only between UTF-8 characters.
 std::string line(const std::string& text) {
   std::string folded;
   std::size_t in_line = 0;
@@ -48,7 +48,7 @@ std::string escaped(const std::string& text) {
   return value;
 }
 
-/// Fields that all events in a file share; two are empty if there is no place.
+/// Fields that all events in a file share. `place` and `coordinates` are empty if there is no place.
 struct Shared {
   std::string place, coordinates, made;
 };
@@ -62,7 +62,7 @@ Shared shared_by(const std::optional<almanac::Observer>& place, const std::strin
           stamp(made)};
 }
 
-/// An event; it has no length if there is no end. It has an alarm if it has both a place and an end.
+/// An event. It has no length if there is no end, and it has an alarm if there are both a place and an end.
 std::string event(const Shared& shared, const std::string& id, const almanac::Instant& from,
                   const std::optional<almanac::Instant>& to, const std::string& title,
                   const std::string& text) {
@@ -90,7 +90,8 @@ std::string name_of(const eclipse::Eclipse& eclipse) {
   return almanac::date_text(eclipse.greatest) + "-eclipse";
 }
 
-/// Event for an eclipse as seen from a place: from moonrise or the first moment seen, to moonset or the last.
+/// Event for a whole eclipse as seen from a place. It begins at moonrise or when the Moon is first seen, and ends at
+/// moonset or when the Moon is last seen.
 std::string event(const Shared& shared, const Circumstances& night) {
   const auto &first = night.seen.front().first, &last = night.seen.back().second;
   auto from = first, to = last;

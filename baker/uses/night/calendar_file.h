@@ -8,24 +8,24 @@
 
 namespace coppermoon::uses {
 
-/// Calendar file (RFC 5545, times in UTC) for an eclipse and those of its contacts that are seen from a place. The
-/// eclipse begins at moonrise or at the first moment seen, with an alarm an hour before. Events for the same eclipse
-/// and place keep their UIDs, so that a later file replaces them; events for another place have different UIDs.
+/// Calendar file (RFC 5545, times in UTC) with an event for an eclipse, and one for each contact seen from a place. The
+/// eclipse begins at moonrise or when the Moon is first seen, and has an alarm an hour before. Events for the same
+/// eclipse and place always have the same UIDs, so that a later file replaces them. UIDs differ between places.
 ///
-/// Given   place_name  "Honolulu", or coordinates
-///         made        when the file is made
+/// Given   place_name  name such as "Honolulu", or coordinates
+///         made        moment at which the file is made
 /// Throws  Error       as require_in_calendars
 std::string as_calendar(const Circumstances& night, const std::string& place_name,
                         const almanac::Instant& made);
 
-/// Calendar file for the eclipses that a place sees at least in part. Each has one event, the same as the one for the
-/// whole eclipse in a night's file.
+/// Calendar file for those eclipses that a place sees at least in part. Each has one event, which is the same as that
+/// for the whole eclipse in the calendar file for a single night.
 ///
 /// Throws  Error  as require_in_calendars
 std::string as_calendar(const std::vector<Circumstances>& nights, const std::string& place_name,
                         const almanac::Instant& made);
 
-/// Calendar file for eclipses from P1 to P4, without a place.
+/// Calendar file with one event for each eclipse, from P1 to P4, without a place.
 ///
 /// Throws  Error  as require_in_calendars
 std::string as_calendar(const std::vector<eclipse::Eclipse>& eclipses,
@@ -37,7 +37,7 @@ std::string as_calendar(const std::vector<eclipse::Eclipse>& eclipses,
 ///                needs at least one event
 void require_in_calendars(const std::vector<eclipse::Eclipse>& eclipses);
 
-/// Throws  Error  also when the place sees none of these eclipses
+/// Refuses the eclipses of these nights in the same way, and also if the place sees none of them.
 void require_in_calendars(const std::vector<Circumstances>& nights, const std::string& place_name);
 
 }  // namespace coppermoon::uses

@@ -18,7 +18,7 @@ namespace {
 
 using almanac::Instant;
 
-/// Position angle of a contact: the limb's point nearest to the shadow's axis, or, for totality, the farthest.
+/// Position angle of the point on the limb that is nearest to the shadow's axis or, for U2 and U3, farthest from it.
 algebra::Angle contact_angle(const std::string& name, const almanac::SkyState& sky) {
   const auto north = glm::row(sky.equator_from_gcrs, 2);
   const double inside = name == "U2" || name == "U3" ? std::numbers::pi : 0,
@@ -28,7 +28,7 @@ algebra::Angle contact_angle(const std::string& name, const almanac::SkyState& s
   return algebra::radians(angle - turn * std::floor(angle / turn));
 }
 
-/// Moonrises and moonsets within the given hours of the greatest phase.
+/// Moonrises and moonsets that happen within the given number of hours before or after greatest eclipse.
 std::vector<NightMoment> rises_and_sets(const Circumstances& night, double hours) {
   std::vector<NightMoment> all;
   const auto& greatest = night.eclipse.greatest;
@@ -54,7 +54,7 @@ std::string from_contact(const Circumstances& night, const Instant& when) {
   return fmt::format("{:.0f} min {} {}", std::abs(minutes), minutes > 0 ? "after" : "before", name);
 }
 
-/// Whether the Moon is seen throughout an interval, or during some of it.
+/// Whether the Moon is seen during all or during some of an interval.
 struct Share {
   bool all = false, some = false;
 };
@@ -69,7 +69,7 @@ Share seen_between(const Circumstances& night, const Instant& from, const Instan
   return share;
 }
 
-/// Times when the Moon is up, from its rises and sets.
+/// The spans between P1 and P4 during which the Moon is up, from the moments when it rises and sets.
 std::vector<Span> up_spans(const Circumstances& night) {
   const auto &first = *night.eclipse.contacts.P1, &last = *night.eclipse.contacts.P4;
   std::vector<Span> spans;

@@ -17,51 +17,51 @@ struct NightMoment {
   std::string name;  ///< "P1" … "greatest" … "P4", "moonrise", "moonset", "first seen", "last seen"
   almanac::Instant when;
   povray_scenes::HorizonPlace moon;  ///< apparent place of the Moon's centre, with refraction
-  algebra::Angle sun_altitude;       ///< of the Sun's centre, airless
+  algebra::Angle sun_altitude;       ///< of the Sun's centre, without refraction
   bool up;                           ///< whether any of the Moon is above the horizon
-  /// Where a contact happens on the Moon's limb, from celestial north through east.
+  /// Angle at which a contact happens on the Moon's limb, counted from celestial north through east.
   std::optional<algebra::Angle> position_angle = {};
 };
 
 using Span = std::pair<almanac::Instant, almanac::Instant>;
 
-/// Whether a span contains a moment; its ends are included.
+/// Whether a moment lies within a span or at one of its ends.
 bool holds(const Span& span, const almanac::Instant& when);
 
-/// Local circumstances of an eclipse.
 struct Circumstances {
   eclipse::Eclipse eclipse;
   almanac::Observer place;
   std::vector<NightMoment> moments;  ///< in order of time
-  /// Times between P1 and P4 when the Moon is above the horizon, and when it is seen.
+  /// Spans between P1 and P4 in which the Moon is above the horizon (`up`), and in which it is seen (`seen`).
   std::vector<Span> up = {}, seen = {};
 };
 
-/// Contacts of an eclipse, and moonrise and moonset within 13 hours of the greatest phase: zeros of above_horizon,
-/// which includes parallax. The Moon counts as seen when it is up; as_seen (eclipse_light.h) applies the eye's limit.
+/// Contacts of an eclipse, and moonrises and moonsets within the given hours of greatest eclipse. Rise and set are the
+/// zeros of above_horizon, which includes parallax. The Moon counts as seen when it is up; as_seen (eclipse_light.h)
+/// applies the eye's limit.
 ///
-/// Accuracy  0.1 s in rise and set, from the Moon's place; weather changes refraction, and so the times by a
-///           minute or more; 0.3° in position angles, as the shadow's edge is not quite round
+/// Accuracy  for rise and set, 0.1 s due to the Moon's position, and a minute or more due to the weather, which changes
+///           refraction; for position angles, 0.3°, because the shadow's edge is not quite round
 /// Throws    Error  as require_on_earth
 Circumstances circumstances(const eclipse::Eclipse& eclipse, const almanac::Observer& place,
                             double hours = 13);
 
-/// A moment of a night, with its Moon and Sun.
+/// A moment of a night, with the positions of the Moon and the Sun.
 NightMoment moment_at(const almanac::Observer& place, std::string name,
                       const almanac::SkyState& sky);
 
-/// Name of the sky's light by the Sun's altitude: "day" down to −0.83 degrees, "civil", "nautical" or "astronomical
-/// twilight" down to −6, −12 and −18, then "night".
+/// Name for the time of day by the Sun's altitude: "day" down to −0.83 degrees, "civil twilight" down to −6, "nautical
+/// twilight" down to −12, "astronomical twilight" down to −18, then "night".
 const char* twilight_name(algebra::Angle sun_altitude);
 
 bool is_seen(const Circumstances& night, const almanac::Instant& when);
 
-/// A sentence on how much of the eclipse is seen: "All of the eclipse is seen.", "The Moon rises 12 min
-/// after U1; all of totality is seen.", "Nothing of the eclipse is seen: the Moon is below the horizon."
+/// A sentence that says how much of the eclipse is seen, such as "All of the eclipse is seen.", "The Moon rises 12 min
+/// after U1; all of totality is seen." or "Nothing of the eclipse is seen: the Moon is below the horizon."
 std::string what_is_seen(const Circumstances& night);
 
-/// Contacts between which a place sees the Moon: "all", "none", "U2 to P4", "between U1 and U2", "P1 to U1 and
-/// U4 to P4".
+/// Text that says between which contacts the Moon is seen: "all", "none", "U2 to P4", "between U1 and U2", "P1 to U1
+/// and U4 to P4".
 std::string contacts_seen(const Circumstances& night);
 
 }  // namespace coppermoon::uses

@@ -32,8 +32,8 @@ Moonlight light_through(const eclipse::Eclipse& eclipse, const MoonRequest& moon
                           progress);
 }
 
-/// Spans between two moments in which the sky has a property, checked every 5 minutes, with edges found to 10 s. The
-/// quick theory of the Moon finds where to use the full one.
+/// Spans within `whole` in which the sky has a property. The property is checked every 5 minutes, and the ends of the
+/// spans are found to 10 s. A quick theory of the Moon shows where the full theory is needed.
 template <class Property>
 std::vector<Span> spans_of(const Span& whole, const Property& holds) {
   using enum almanac::LunarTheory;

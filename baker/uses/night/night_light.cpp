@@ -23,11 +23,11 @@ namespace {
 
 using almanac::Instant;
 
-/// Level of the umbra's median relative to saturation, and the highest level allowed for the sky.
+/// Levels relative to saturation: that to which the umbra's median is exposed, and the highest allowed for the sky.
 constexpr double umbra_level = 0.18, most_sky_level = 0.5;
-/// Ratio of the lit disc's brightness to that at which the umbra begins.
+/// Ratio of the lit disc's brightness to the brightness below which a place counts as being in the umbra.
 constexpr double umbra_contrast = 200;
-/// Least share of the disc that the umbra must cover to get its own exposure.
+/// Smallest share of the disc that the umbra must cover to get an exposure time for itself.
 constexpr double least_umbra_share = 0.02;
 /// Time between a contact and the exposure just before or after it.
 constexpr double beside_contact_s = 60;
@@ -55,11 +55,11 @@ std::vector<Rgb> disc_of(const texture::Image& texture, const almanac::SkyState&
   return disc;
 }
 
-/// What is exposed: the disc through the air, and the sky in front of it.
+/// The light that reaches the camera: the disc, as seen through the air, and the sky in front of it.
 struct Exposed {
   std::vector<Rgb> disc;
   Rgb sky;
-  double spread;  ///< factor by which light in the umbra is uncertain (standard error)
+  double spread;  ///< standard error of the light in the umbra, as a factor
   bool total;     ///< whether all of the disc is in the umbra
 };
 
@@ -79,7 +79,7 @@ class Exposer {
 
   double f_number() const { return f_number_; }
 
-  /// Fills in the times for a phase.
+  /// Sets the exposure times in `phase`.
   void expose(PhaseExposure& phase, const Exposed& seen) const {
     std::vector<Rgb> dark;
     const double brightest = brightest_of(seen.disc, 0.99);
@@ -97,7 +97,7 @@ class Exposer {
   }
 
  private:
-  /// Value below which the brightest channel of a given share of colours lies.
+  /// Level that the brightest channel stays below in the given share of the colours.
   static double brightest_of(const std::vector<Rgb>& colours, double share) {
     std::vector<double> levels;
     for (const auto& colour : colours) levels.push_back(std::ranges::max(colour));
@@ -115,7 +115,8 @@ class Exposer {
     return exposures_for(development_, frame, colour::WorkingSpace::linear_rec709).shorter.time_s;
   }
 
-  /// Times for a part, as far as trailing and the sky allow; none if it would exceed the longest time.
+  /// Exposure times for a part of the Moon, limited by trailing and by the sky's light. Nothing if the part would need
+  /// more than the longest time.
   template <class Time>
   std::optional<PartExposure> limited(PhaseExposure& phase, const Rgb& sky, double spread,
                                       const Time& time_of) const {
@@ -138,7 +139,7 @@ class Exposer {
   double longest_s_, per_second_ = 1, f_number_ = 1;
 };
 
-/// Exposure for a phase, with the Moon as seen at one moment.
+/// Exposure times for a phase, from the Moon as it is seen at the given moment.
 PhaseExposure exposure_of(const std::string& name, const Instant& when, const EclipseLight& light,
                           const ViewRequest& view, const Exposer& exposer, double spread,
                           bool total) {
@@ -171,7 +172,7 @@ bool wholly_up(const almanac::Observer& place, const Instant& when) {
   return algebra::in_radians(above_horizon(place, sky)) > 2 * radius;
 }
 
-/// Share of the Moon's diameter in the umbra, from the change in axis distance since U1.
+/// Share of the Moon's diameter in the umbra, from how much nearer the Moon is to the shadow's axis than it was at U1.
 double immersed(const Instant& u1, const Instant& when) {
   const auto distance_m = [](const Instant& then) {
     return algebra::in_metres(eclipse::moon_in_shadow(almanac::sky_at(then)).axis_distance);
@@ -179,7 +180,7 @@ double immersed(const Instant& u1, const Instant& when) {
   return (distance_m(u1) - distance_m(when)) / (2 * algebra::in_metres(almanac::lunar_radius));
 }
 
-/// Moment between U1 or U4 and the greatest phase when a share of the Moon's diameter is in the umbra, to a second.
+/// Moment, to a second, between U1 or U4 and greatest eclipse when `share` of the Moon's diameter is in the umbra.
 Instant moment_of_share(const Instant& contact, const Instant& greatest, double share) {
   const double seconds = almanac::seconds_between(contact, greatest);
   double from = 0, to = 1;
@@ -190,7 +191,7 @@ Instant moment_of_share(const Instant& contact, const Instant& greatest, double 
   return almanac::later(contact, to * seconds);
 }
 
-/// Phases that get an exposure each, with their moments, in order of time.
+/// Phases for which exposure times are given, with their moments, in order of time.
 std::vector<std::pair<std::string, Instant>> phases_of(const Circumstances& night) {
   const auto& eclipse = night.eclipse;
   const auto& c = eclipse.contacts;
@@ -226,13 +227,13 @@ std::vector<std::pair<std::string, Instant>> phases_of(const Circumstances& nigh
   return phases;
 }
 
-/// Progress of a part of the work: passes its fractions 0 to 1 on as `from` to `to`.
+/// Progress for a part of the work. Its fractions 0 to 1 are reported to `whole` as fractions `from` to `to`.
 algebra::Progress part_of(const algebra::Progress& whole, double from, double to) {
   if (!whole) return {};
   return [whole, from, to](double fraction) { whole(std::lerp(from, to, fraction)); };
 }
 
-/// Exposures for the middle of totality at L = 4 to 0, for those Moons that are seen.
+/// Exposure times for the middle of totality at L = 4 to 0. Those at which the Moon would not be seen are left out.
 std::vector<PhaseExposure> danjon_exposures(const Instant& greatest, const MoonRequest& moon,
                                             const EclipseLight& light, const ViewRequest& view,
                                             const Exposer& exposer,
@@ -262,7 +263,7 @@ std::vector<PhaseExposure> danjon_exposures(const Instant& greatest, const MoonR
   return exposures;
 }
 
-/// How long the Moon takes to trail by two pixels of the camera (4 µm if unknown); none if there is no focal length.
+/// Time in which the Moon trails by two of the camera's pixels (4 µm wide if unknown). Nothing without a focal length.
 std::optional<double> trailing_of(const Circumstances& night, const ViewRequest& view,
                                   const Development& development) {
   constexpr double usual_pixel_um = 4;

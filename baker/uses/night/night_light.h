@@ -12,22 +12,21 @@
 
 namespace coppermoon::uses {
 
-/// Brightness of the Moon at a moment of its night.
+/// Brightness of the Moon and its sky at one moment of a night.
 struct NightLight {
   std::string name;  ///< name of the moment
   almanac::Instant when;
-  double V_magnitude;                    ///< of the whole Moon, above the air
-  double mean_luminance_cd_m2;           ///< of the disc, above the air
-  std::optional<double> faintest_star;   ///< V magnitude, for the naked eye under the place's sky;
-                                         ///< none if not even a star of magnitude 0 is seen
-  std::optional<double> sky_cd_m2 = {};  ///< at the Moon; none if the Moon is not up
+  double V_magnitude;                    ///< of the whole Moon, without the effect of air
+  double mean_luminance_cd_m2;           ///< of the disc, without the effect of air
+  std::optional<double> faintest_star;   ///< V magnitude, for the naked eye; absent if below 0
+  std::optional<double> sky_cd_m2 = {};  ///< in the Moon's direction; absent if it is not up
 };
 
-/// Exposure time for a part of the Moon, and the times if the Moon is brighter or darker by the standard error in
-/// totality.
+/// Exposure time for a part of the Moon, and the times for a Moon that is brighter or darker than forecast by the
+/// standard error in totality.
 struct PartExposure {
   double time_s, least_s, most_s;
-  double stops_under = 0;  ///< underexposure to keep the Moon from trailing
+  double stops_under = 0;  ///< stops of underexposure that keep the Moon from trailing
 };
 
 /// Exposure times for a phase of the eclipse.
@@ -38,11 +37,11 @@ struct PhaseExposure {
   double sky_over_moon = 0;
   std::optional<PartExposure> lit{};  ///< for the part outside the umbra; in totality, for the disc
   std::optional<PartExposure> shadow{};  ///< for the part in the umbra, during the partial phase
-  bool too_dark = false;  ///< a part has no time because it would exceed the whole eclipse
-  bool by_sky = false;    ///< the sky's light shortens a time by a third of a stop or more
+  bool too_dark = false;  ///< whether a part has no time because it would exceed the whole eclipse
+  bool by_sky = false;    ///< whether the sky's light shortens a time by at least 1/3 of a stop
 };
 
-/// Describes a part's time, its range given the forecast's error, and the underexposure that avoids trailing.
+/// Describes a part's exposure time, its range due to the forecast's error, and the underexposure that avoids trailing.
 template <class Field>
 void describe_part(Field&& is, const std::string& name, const std::optional<PartExposure>& part) {
   namespace unit = algebra::unit;
@@ -76,32 +75,33 @@ void describe(Field&& is, const PhaseExposure& phase) {
 struct NightLights {
   Circumstances night;  ///< with the times when the Moon is seen
   std::vector<NightLight> moments =
-      {};  ///< at each contact, the greatest phase, first and last seen
+      {};  ///< contacts, greatest eclipse, and when the Moon is first and last seen
   std::vector<PhaseExposure> exposures = {};
-  double f_number = 0, iso = 0;           ///< for the exposures
+  double f_number = 0, iso = 0;           ///< used for the exposures
   std::optional<double> V_error = {};     ///< standard error of V in totality (totality_error_mag)
-  std::optional<double> trailing_s = {};  ///< none if no focal length is given
+  std::optional<double> trailing_s = {};  ///< time to trail; absent if no focal length is given
 };
 
 /// Brightness of an eclipse at its contacts, and exposure times for its phases while all of the Moon is above the
 /// horizon, from one simulation of the whole eclipse. With `danjon`, also times for mid-totality at L = 0 to 4.
 ///
 /// The Moon is seen through the place's air, with the sky's light added. It is exposed by the automatic rule of
-/// exposures_for; during the partial phase, the median of the part in the umbra is exposed to 0.18. No time lets the
-/// sky exceed half of saturation. If a focal length is given, none lets the Moon trail by two pixels (4 µm if unknown).
+/// exposures_for. During the partial phase, the part in the umbra gets a time of its own, which brings its median to
+/// 0.18 of saturation. No time lets the sky exceed half of saturation. If a focal length is given, no time lets the
+/// Moon trail by more than two pixels (4 µm wide if unknown).
 ///
-/// Given   moon  a tolerance of some percent of light is enough for exposures
-///         view  for its observer, the air above, and the focal length
-///         development  f-number, speed and camera
+/// Given   moon  a tolerance of some percent of the light is enough
+///         view  gives the observer, the air above, and the focal length
+///         development  gives the f-number, speed and camera
 /// Throws  Error  as light_on_the_way, normal_albedo, exposures_for
 NightLights night_lights(const Circumstances& night, const MoonRequest& moon,
                          const ViewRequest& view, const Development& development, bool danjon,
                          const algebra::Progress& progress = {});
 
-/// Nearest time that cameras offer in thirds of a stop, 1/8000 to 30 s; a time above 34 s is returned unchanged.
+/// The nearest of the times that cameras offer in thirds of a stop, 1/8000 to 30 s. Above 34 s, the time is unchanged.
 double camera_time_s(double seconds);
 
-/// How long the Moon at greatest eclipse takes to trail a given length on the sensor of a fixed camera [s].
+/// Time in which the Moon, at greatest eclipse, moves by a given length on the sensor of a fixed camera [s].
 ///
 ///     t = trail / (focal length · the Moon's angular speed in the place's sky)
 ///
@@ -114,7 +114,7 @@ double trailing_time_s(const Circumstances& night, double focal_length_mm, doubl
 ///     7.93 − 5 lg(1 + 10^(4.316 − B/5))        B: the sky's magnitude per square arc second
 ///
 /// Given     sky_cd_m2  luminance of the sky, above 0
-/// Accuracy  0.5 between observers
+/// Accuracy  0.5 mag, because observers differ
 /// Source    Schaefer (1990), PASP 102, 212, after Knoll, Tousey & Hulburt (1946)
 double faintest_star(double sky_cd_m2);
 

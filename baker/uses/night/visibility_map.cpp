@@ -19,7 +19,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// The place with the Moon at its zenith, and how far from there the Moon is visible [rad].
+/// The place where the Moon is at the zenith, and the largest angular distance from it at which the Moon is seen [rad].
 struct UnderMoon {
   double latitude, longitude, reach;
 };
@@ -41,13 +41,13 @@ UnderMoon under_moon(const almanac::Instant& when) {
           std::numbers::pi / 2 - parallax + refraction + semidiameter};
 }
 
-/// Cosine of the angular distance from the place under the Moon.
+/// Cosine of the angular distance between a place and the place where the Moon is at the zenith.
 double nearness(const UnderMoon& moon, double latitude, double longitude) {
   return std::sin(latitude) * std::sin(moon.latitude) +
          std::cos(latitude) * std::cos(moon.latitude) * std::cos(longitude - moon.longitude);
 }
 
-/// Rows for a curve, interrupted where it leaves the map at one side.
+/// Rows of data for drawing a curve, which is interrupted where it goes from one side of the map to the other.
 std::string curve_rows(const std::vector<std::pair<double, double>>& points) {
   std::string text;
   double last = points.front().second;
@@ -61,7 +61,7 @@ std::string curve_rows(const std::vector<std::pair<double, double>>& points) {
 
 /// Shade for each cell of two degrees: 0 if nothing of the eclipse is seen, 1 for some of it, 2 for all.
 std::string shade_rows(const eclipse::Eclipse& eclipse) {
-  constexpr int steps = 48;  // in at most six hours, so the Moon moves less than a cell per step
+  constexpr int steps = 48;  // over six hours at most, so the Moon moves less than a cell per step
   const auto& [first, last] = std::pair(*eclipse.contacts.P1, *eclipse.contacts.P4);
   std::vector<UnderMoon> moons;
   for (int i = 0; i <= steps; ++i)

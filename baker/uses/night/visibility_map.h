@@ -11,19 +11,19 @@
 
 namespace coppermoon::uses {
 
-/// Circle of places that see the Moon's upper limb on the horizon, around the place with the Moon at its zenith.
-/// Its radius is 90° less the parallax, plus a refraction of 34′ and the semidiameter.
+/// Circle of places where the Moon's upper limb is on the horizon. Its centre is the place where the Moon is at the
+/// zenith. Its radius is 90° minus the parallax, plus 34′ for refraction, plus the semidiameter.
 ///
-/// Given     points  number of points, evenly spaced, 3 or more
-/// Returned  latitude and longitude [degrees], longitude −180 to 180, at sea level
-/// Accuracy  0.2°, because the ellipsoid is taken as a sphere
+/// Given     points  number of evenly spaced points, 3 or more
+/// Returned  latitudes and longitudes at sea level [degrees], longitudes from −180 to 180
+/// Accuracy  0.2°, because the Earth is treated as a sphere
 std::vector<std::pair<double, double>> horizon_circle(const almanac::Instant& when,
                                                       std::size_t points);
 
-/// Draws a plate carrée map of where an eclipse is seen: a circle for each contact, the regions that see all or none
-/// of the eclipse, and a place.
+/// Draws a plate carrée map of where an eclipse is seen. It shows a horizon_circle for each contact, the regions that
+/// see all or none of the eclipse, and, if given, a place.
 ///
-/// Given   picture  .png, .svg or .pdf
+/// Given   picture  a file name that ends in .png, .svg or .pdf
 /// Throws  Error    for another ending; as write_plot
 /// Source  coastlines: Natural Earth 4.1, public domain (data/coastlines.csv)
 void write_visibility_map(const std::filesystem::path& picture, const eclipse::Eclipse& eclipse,

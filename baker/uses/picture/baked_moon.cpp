@@ -33,7 +33,7 @@ std::vector<std::string> channel_names(colour::WorkingSpace space) {
   return {"R", "G", "B"};
 }
 
-/// The middle of the disc, the axis and the distance, which tell how a camera has to look at the globe.
+/// Header attributes for placing a camera before the globe: sub-observer point, angle of the axis, and distance.
 texture::Attributes attitude(const LitMoon& moon) {
   const auto& sky = moon.sky;
   auto middle = sky.sub_earth;
@@ -78,18 +78,18 @@ texture::Attributes header(const LitMoon& moon, const TextureContent& content,
 
 constexpr std::size_t colours = 3;
 
-/// A spectral band, as weights for the light that is looked up after the colours.
+/// A spectral band, computed as a weighted sum of entries in the table of light.
 struct Band {
   std::size_t first = 0;
   std::vector<float> shares;
 };
 
-/// The channels of one part, and how they are computed from the light.
+/// The channels of one part of the texture, and the weights with which they are computed from the light.
 struct Channels {
   std::vector<std::string> names;
-  algebra::Grid<double> weights;  // (looked up, wavelength)
+  algebra::Grid<double> weights;  // rows: entries in the table of light; columns: wavelengths
   LightPart light = LightPart::all;
-  std::vector<Band> bands = {};  // after the colours
+  std::vector<Band> bands = {};  // stored after the colours
 };
 
 /// Stacks two matrices, one below the other.
@@ -122,8 +122,8 @@ std::vector<Band> bands_of(const algebra::Grid<double>& shares) {
 
 constexpr double spectrum_nm = 400;
 
-/// Adds channels "S0.385,000000nm" and so on, named after the middles of even bands. The bands are looked up, or the
-/// wavelengths they are made from if these are fewer: a twentieth of the memory for bands of 1 nm.
+/// Adds spectral channels named after their middle wavelengths, such as "S0.385,000000nm". The table of light holds the
+/// simulated wavelengths instead of the bands if they are fewer, which saves 95 % of the memory for bands of 1 nm.
 Channels with_spectrum(Channels channels, double width_nm, int wavelengths,
                        const std::optional<atmosphere::Sightline>& sightline) {
   const auto edges = band_edges_nm();
@@ -144,7 +144,7 @@ Channels with_spectrum(Channels channels, double width_nm, int wavelengths,
   return channels;
 }
 
-/// Copies the colours, and computes bands from the light that follows them, none below 0.
+/// Fills a texel: copies its three colours, and computes its spectral bands, which are at least 0.
 void write_bands(std::span<const Band> bands, std::span<const float> looked_up,
                  std::span<float> texel) {
   std::ranges::copy(looked_up.first(colours), texel.begin());
@@ -181,14 +181,14 @@ shadow::Lookup light_in(const LitMoon& moon, const Channels& channels, colour::W
   return light;
 }
 
-/// What a part's rows are made from, kept as long as any row may be asked for.
+/// The data from which the rows of a part are computed. It is kept in memory as long as rows may be requested.
 struct LitGround {
   std::shared_ptr<const algebra::Grid<float>> albedo;
   std::shared_ptr<const surface::Ground> ground;
   shadow::Lookup light;
 };
 
-/// The quantity that a part holds, and what to divide its light by.
+/// The quantity that a part of the texture holds, and the sunlit colours by which its light is divided.
 struct Held {
   TexelQuantity quantity;
   std::vector<double> sunlit = {};
@@ -211,8 +211,8 @@ texture::Part part(const LitMoon& moon, const std::string& name, const Channels&
           channels.bands.empty() ? kept : with_bands(kept, looked_up, channels.bands)};
 }
 
-/// Ratio of the ground's colours to those of white under sunlight: for the mean Moon, or for its reddest and bluest
-/// ground.
+/// Ratio of the ground's colours to those of white ground, both in sunlight: for the mean Moon, or for the reddest and
+/// the bluest ground.
 std::vector<double> ground_colours(const LitMoon& moon, const algebra::Grid<double>& of_moon,
                                    const algebra::Grid<double>& of_white) {
   const auto seen = of_ground(moon.ground.get(), of_moon, band_centres_nm());
@@ -261,8 +261,8 @@ LitMoon lit_moon(const MoonRequest& request, const almanac::SkyState& sky,
   std::shared_ptr<const algebra::Grid<float>> albedo;
   std::shared_ptr<const surface::Ground> ground;
   std::shared_ptr<const Moonlight> light;
-  // the map and the light are independent; an error in one must not cancel the loops of the other,
-  // which would go on with half of their results
+  // The map and the light are computed at the same time. An error in one must not cancel the parallel loops of the
+  // other, because the code after such a loop would continue with incomplete results.
   tbb::task_group together;
   std::exception_ptr of_map, of_light;
   const auto kept = [](std::exception_ptr& error, const auto& work) {
@@ -321,7 +321,7 @@ BakedMoon baked(const LitMoon& moon, const TextureContent& content, const Baking
   std::ranges::copy(grounds, sunlit.values().begin());
   add("reflectance", colour, shadow::Lookup(sunlit), {reflectance});
   made.parts.push_back(albedo_part(moon));
-  for (auto& share : std::span(made.parts).last(2)) {  // ratios: neither unit nor colour
+  for (auto& share : std::span(made.parts).last(2)) {  // ratios have no unit or colour
     share.left_out = {"whiteLuminance", "coppermoon:unit", "chromaticities"};
     share.own = {{"colorInteropID", std::string("data")}};
   }

@@ -39,11 +39,11 @@ struct LitMoon {
   MoonRequest request;
   almanac::SkyState sky;
   std::shared_ptr<const algebra::Grid<float>> albedo;
-  std::shared_ptr<const surface::Ground> ground;  ///< nullptr: the mean Moon everywhere
+  std::shared_ptr<const surface::Ground> ground;  ///< nullptr means the mean Moon everywhere
   std::shared_ptr<const Moonlight> light;
-  /// Range of the light that reaches the disc; if absent, all of it is direct sunlight.
+  /// The part of the shadow in which the disc lies; if absent, the whole disc is in direct sunlight.
   std::optional<shadow::LookupRange> within;
-  /// Observer, and the path through the air that reddens the Moon; if absent, seen from the Earth's centre.
+  /// The observer (if absent, at the Earth's centre), and the line of sight through the air that reddens the Moon.
   std::optional<almanac::Observer> observer = {};
   std::optional<atmosphere::Sightline> sightline = {};
 };
@@ -52,7 +52,7 @@ struct LitMoon {
 LitMoon lit_moon(const MoonRequest& request, const almanac::SkyState& sky,
                  const algebra::Progress& progress = {});
 
-/// A texture whose rows are baked when they are asked for, and its header.
+/// A texture, whose rows are baked only when they are requested, and its header.
 struct BakedMoon {
   std::vector<texture::Part> parts;
   texture::Attributes attributes;
@@ -61,31 +61,31 @@ struct BakedMoon {
 /// Options for baking.
 struct Baking {
   texture::Extent extent = texture::Extent::whole;
-  algebra::Progress progress = {};  ///< of the rows being baked
-  /// Makes the recipe for the header; if empty, texture_recipe does
+  algebra::Progress progress = {};  ///< reports the share of rows baked
+  /// Makes the recipe for the header; if empty, texture_recipe makes it
   std::function<std::string(const LitMoon&, const TextureContent&)> recipe = {};
 };
 
-/// The texture in its colour space [cd/m²], with the parts asked for:
+/// The texture in its colour space [cd/m²], with the parts that the content requests:
 ///
 ///     S0.…nm      spectral radiance [W m⁻² sr⁻¹ nm⁻¹], averaged over each band, after Fichet et
 ///                 al. (2021), stored beside the colours
-///     direct, refracted        parts whose luminances add up to the whole
-///     irradiance, reflectance  parts whose product is the whole: the luminance of white diffuse ground
-///                              that faces the Sun, with the light weighted as the Moon's reddish ground
-///                              does; and the radiance factor under sunlight, in the ground's own colour
-///     albedo      part with the map's normal albedo
+///     direct, refracted        luminance from direct and from refracted sunlight, which add up to the whole
+///     irradiance, reflectance  two factors of the whole. The first is the luminance of white diffuse ground that
+///                              faces the Sun, with wavelengths weighted by the reddish colour of the Moon. The
+///                              second is the radiance factor of the ground in sunlight, with its local colour
+///     albedo      the map's normal albedo
 ///
 /// The ground's local colour shows in every part but irradiance, which is the luminance divided by the reflectance.
 ///
-/// Colours outside the space are brought into it, in each part separately. The attribute `coppermoon:recipe` holds the
+/// In each part, colours outside the colour space are moved into its gamut. The attribute `coppermoon:recipe` holds the
 /// recipe that bakes the same texels again.
 BakedMoon baked(const LitMoon& moon, const TextureContent& content, const Baking& baking = {});
 
-/// Illuminance from the whole Moon on a surface that faces it, at the observer and through the air, in the channels of
-/// a colour space [lux].
+/// Illuminance from the whole Moon on a surface that faces it, at the observer's place and through the air there, in
+/// the channels of a colour space [lux].
 ///
-/// Accuracy  0.2 %, for a disc of 360 rows, or of as many rows as its texture has
+/// Accuracy  0.2 % with a texture of 360 rows, which is used unless the Moon's own texture has fewer
 std::array<double, 3> illuminance_seen(
     LitMoon moon, colour::WorkingSpace space = colour::WorkingSpace::linear_rec709);
 

@@ -29,7 +29,7 @@ bool in_totality(const almanac::Instant& when) {
          almanac::seconds_between(when, *eclipse->contacts.U3) >= 0;
 }
 
-/// A Moon's texture in the channels of a meter.
+/// The Moon's texture in the channels of a photometer.
 texture::Image texture_in(const Photometer& meter, const LitMoon& moon, std::size_t rows) {
   const auto weights = of_ground(moon.ground.get(), meter.weights, band_centres_nm());
   const auto light =
@@ -40,7 +40,7 @@ texture::Image texture_in(const Photometer& meter, const LitMoon& moon, std::siz
                        moon.request.photometry);
 }
 
-/// A Moon whose albedo has as many rows as its textures will.
+/// The Moon with its albedo map resized to the number of rows of the textures that will be measured.
 LitMoon measurable(const MoonRequest& request, const almanac::SkyState& sky, Moonlight light,
                    std::size_t rows) {
   const auto albedo =
@@ -108,7 +108,7 @@ std::vector<double> magnitudes_above(const LitMoon& moon) {
 MoonBrightness brightness_of(const MoonRequest& moon, const almanac::SkyState& sky,
                              const ViewRequest& view, const algebra::Progress& progress) {
   constexpr std::size_t rows = 360;
-  view_of(view, sky);  // refuses a Moon below the horizon, before the work
+  view_of(view, sky);  // throws before the long computation if the Moon is not up
   return brightness_of(
       measurable(moon, sky,
                  moon.unshadowed
@@ -132,7 +132,7 @@ std::vector<almanac::Instant> moments_between(const almanac::Instant& from,
 LightCurve light_curve(const MoonRequest& moon, const std::vector<almanac::Instant>& moments,
                        const ViewRequest& view, const algebra::Progress& progress) {
   constexpr std::size_t rows = 180;
-  if (view.observer) air_over(*view.observer, view);  // refuses air that is out of range
+  if (view.observer) air_over(*view.observer, view);  // throws if the air is out of range
   const auto skies = skies_between(moments.front(), moments.back());
   const auto over_all =
       measurable(moon, skies.front(),

@@ -18,9 +18,9 @@ namespace coppermoon::uses {
 /// Brightness of the whole Moon as seen from a place on the Earth, through the air there.
 struct BrightnessSeen {
   almanac::Observer place;
-  povray_scenes::HorizonPlace moon;    ///< including refraction
-  DiscBrightness disc;                 ///< through the air
-  std::vector<double> extinction_mag;  ///< [band]; 0 if reddening is off
+  povray_scenes::HorizonPlace moon;    ///< place in the sky, including refraction
+  DiscBrightness disc;                 ///< as seen through the air
+  std::vector<double> extinction_mag;  ///< in each band; 0 if reddening is off
   double sky_cd_m2 = 0;                ///< of the clear sky around the Moon
 };
 
@@ -45,9 +45,9 @@ void describe(Field&& is, const BrightnessSeen& seen) {
 /// Brightness of the whole Moon at one moment.
 struct MoonBrightness {
   almanac::Instant instant;
-  DiscBrightness disc;           ///< above the air, from the Earth's centre
+  DiscBrightness disc;           ///< as seen from the Earth's centre, without air
   std::optional<double> danjon;  ///< on Danjon's scale, in totality only
-  /// standard error of the V magnitude, only in totality and in the air of a month (totality_error_mag)
+  /// standard error of the V magnitude, only in totality and with the air known for the month (totality_error_mag)
   std::optional<double> V_error = {};
   std::optional<BrightnessSeen> seen = {};
 };
@@ -65,35 +65,35 @@ void describe(Field&& is, const MoonBrightness& brightness) {
   is("seen", brightness.seen, "what a place sees; none without a place");
 }
 
-/// Standard error of the V magnitude of a totally eclipsed Moon in the air of its month [mag].
+/// Standard error of the V magnitude computed for a totally eclipsed Moon with the air known for the month [mag].
 ///
-///     σ² = (0.23 mag)² + (50 mag δτ)²       δτ: error of the stratosphere's optical depth
+///     σ² = (0.23 mag)² + (50 mag δτ)²       δτ: error in the stratosphere's optical depth
 ///
-/// 0.23 mag is the residual of five eclipses measured with instruments, weather included. 50 mag is how much a total
-/// eclipse darkens per unit of that optical depth: 40 to 58 mag in eclipses of umbral magnitudes 1.01 to 1.61.
+/// 0.23 mag is the residual for five eclipses measured with instruments, and includes the effect of weather. The Moon
+/// darkens by 50 mag per unit of optical depth (40 to 58 mag in eclipses of umbral magnitudes 1.01 to 1.61).
 ///
-/// Given     year  including its fraction
-/// Returned  nothing unless the air is the one known for its month ("standard" or "calibrated", unaltered)
-/// Accuracy  6 of 9 measured and observed eclipses lie within it and the observers' own 0.3 mag; 68 % were expected
+/// Given     year  with its fraction
+/// Returned  nothing unless the air is the one known for the month ("standard" or "calibrated", unaltered)
+/// Accuracy  6 of 9 observed eclipses agree within this error and the observers' 0.3 mag combined; 68 % is expected
 std::optional<double> totality_error_mag(const Air& air, double year);
 
-/// Magnitudes of the whole Moon above the air, as seen from the Earth's centre, [band].
+/// Magnitude of the whole Moon in each band, as seen from the Earth's centre, without air.
 ///
-/// Accuracy  0.003 mag, for a disc of 180 rows
+/// Accuracy  0.003 mag, with a texture of 180 rows
 std::vector<double> magnitudes_above(const LitMoon& moon);
 
 /// Simulates the Moon and sums its brightness over a texture of 360 rows.
 ///
 /// Given   view   only its observer and air are used
 /// Omits   the horizon, and the flattening of the disc
-/// Throws  Error  as light_on_the_moon, normal_albedo, view_of
+/// Throws  Error  when light_on_the_moon, normal_albedo or view_of does
 MoonBrightness brightness_of(const MoonRequest& moon, const almanac::SkyState& sky,
                              const ViewRequest& view = {}, const algebra::Progress& progress = {});
 
-/// Evenly spaced moments from `from` on, the last of them not after `to`.
+/// Evenly spaced moments that start at `from` and end at or before `to`.
 ///
 /// Given   step_min  0.01 to 1440 minutes
-/// Throws  Error     for any other step; when `to` is before `from` or more than a day after it
+/// Throws  Error     when the step is outside this range, or `to` is before `from` or more than a day after it
 std::vector<almanac::Instant> moments_between(const almanac::Instant& from,
                                               const almanac::Instant& to, double step_min);
 
@@ -103,11 +103,11 @@ double level_illuminance_lx(const BrightnessSeen& seen);
 /// Brightness at one moment of a light curve.
 struct CurveMoment {
   MoonBrightness brightness;
-  bool of_place = true;              ///< the curve has an observer
-  std::optional<std::string> local;  ///< date and time in the time zone asked for
+  bool of_place = true;              ///< whether the curve has an observer
+  std::optional<std::string> local;  ///< date and time in the requested time zone
 };
 
-/// Unknown numbers are NaN; a magnitude may be infinite.
+/// Describes the numbers of a moment, one for each column. Unknown numbers are NaN, and a magnitude may be infinite.
 template <class Field>
 void describe(Field&& is, const CurveMoment& moment) {
   namespace unit = algebra::unit;
@@ -135,31 +135,31 @@ void describe(Field&& is, const CurveMoment& moment) {
 /// Brightness of the whole Moon over time.
 struct LightCurve {
   std::vector<CurveMoment> moments;
-  std::vector<result::Column> columns;  ///< its numbers, with their descriptions
+  std::vector<result::Column> columns;  ///< the curve's numbers and their descriptions
 };
 
-/// Light curve of an eclipse, from one simulation, measured on textures of 180 rows.
+/// Light curve of an eclipse, computed from one simulation and measured on textures of 180 rows.
 ///
-/// Given     moments  in order of time, one or more, within a day; they may be before P1 or after P4
+/// Given     moments  one or more within a day, in order of time; they may be before P1 or after P4
 ///           view     only its observer and air are used; without an observer there are no columns for a place
-/// Accuracy  agrees with brightness_of to 0.003 mag, and to the same fraction in the light
-/// Throws    Error    when no eclipse is under way between the moments; as normal_albedo, air_over
+/// Accuracy  agrees with brightness_of to 0.003 mag in magnitudes, and to 0.3 % in illuminances
+/// Throws    Error    when no eclipse is under way between the moments, or when normal_albedo or air_over does
 LightCurve light_curve(const MoonRequest& moon, const std::vector<almanac::Instant>& moments,
                        const ViewRequest& view = {}, const algebra::Progress& progress = {});
 
 /// Measures the whole Moon at any moment of one eclipse, as seen from the Earth's centre.
 class MoonSurvey {
  public:
-  /// Given  albedo  normal albedo, with as many rows as the textures are to have
-  ///        light   along the Moon's path; must outlive the survey
-  ///        meter   sets the channels
+  /// Given  albedo  normal albedo, whose number of rows the textures will have
+  ///        light   the light along the Moon's path; must outlive the survey
+  ///        meter   sets the channels of the textures
   MoonSurvey(const MoonRequest& moon, const algebra::Grid<float>& albedo, const Moonlight& light,
              Photometer meter = photometer());
 
-  /// Texture in the meter's channels.
+  /// The Moon's texture at one moment, in the photometer's channels.
   texture::Image texture(const almanac::SkyState& sky) const;
 
-  /// Only for a survey in the photometer's channels.
+  /// The Moon's brightness at one moment; only for a survey that was made with the default photometer.
   DiscBrightness brightness(const almanac::SkyState& sky) const;
 
  private:

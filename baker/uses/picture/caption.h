@@ -16,7 +16,7 @@ std::string place_in_words(const almanac::Observer& observer);
 /// The contact nearest to a moment, and the time since or until it: "U2", "U2+12min", "U2-40s".
 std::string from_nearest_contact(const eclipse::Eclipse& eclipse, const almanac::Instant& when);
 
-/// The same text for a given contact and the number of seconds after it.
+/// Text for a time relative to a contact, such as "U2+12min"; negative seconds are before the contact.
 std::string from_contact(const std::string& name, double seconds);
 
 /// Texts below a picture, at its left and right ends.
@@ -26,9 +26,9 @@ struct Caption {
   std::string right;  ///< during an eclipse, the time from its nearest contact
 };
 
-/// Given  header  of a scene-linear frame: `capDate`, `latitude`, `longitude`
+/// The caption for a scene-linear frame, from `capDate`, `latitude` and `longitude` in its header.
 ///
-/// Throws  Error  when the header has no moment
+/// Throws  Error  when the header has no `capDate`
 Caption caption_of(const texture::Attributes& header);
 
 }  // namespace coppermoon::uses

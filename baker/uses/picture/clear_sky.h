@@ -17,19 +17,19 @@ namespace coppermoon::uses {
 
 using Rgb = std::array<double, 3>;  ///< linear Rec.709
 
-/// Colour as two indices of astronomical photometry.
+/// A colour, given by two colour indices of astronomical photometry.
 struct ColourIndices {
   double b_minus_v, v_minus_r;
 };
 
-/// Light in bands of 10 nm from 380 to 780 nm: sunlight, scaled to have the given indices.
+/// Spectrum in bands of 10 nm from 380 to 780 nm: that of sunlight, adjusted to have the given colour indices.
 ///
 ///     E(λ) = E_sun(λ) 10^(−0.4 Δm(λ))
 ///
-/// Δm is linear between the differences in B (440 nm), V (550 nm) and R (641 nm), and extrapolated beyond them.
+/// Δm, the difference from the Sun [mag], is linear between B (440 nm), V (550 nm) and R (641 nm), and beyond them.
 std::vector<double> spectrum_of(const ColourIndices& colour);
 
-/// Colour of a spectrum in the bands of spectrum_of, with luminance 1; black stays black.
+/// Colour of a spectrum that is given in the bands of spectrum_of, scaled to luminance 1; black stays black.
 Rgb colour_of(const std::vector<double>& spectrum);
 
 /// The colour scaled to luminance 1; black stays black.
@@ -39,17 +39,17 @@ Rgb normalised(Rgb light);
 ///
 ///     S(λ) = E(λ) g(λ) k_V/k(λ) 10^(−0.4 k(λ) X_m) (1 − 10^(−0.4 k(λ) X))
 ///
-/// with g = τ(λ)/τ(550 nm) for molecules or for aerosol: the law of atmosphere::moonlit_sky_cd_m2 at each wavelength.
-/// X_m is the air mass towards the body, X that along the line of sight.
+/// where g = τ(λ)/τ(550 nm), for molecules or for aerosol, and k is the extinction. X_m is the air mass towards the
+/// body, X that along the line of sight. This is the law of atmosphere::moonlit_sky_cd_m2 at each wavelength.
 ///
 /// Omits  light that is scattered more than once
 class ScatteredColour {
  public:
-  /// Given  altitude  of the body
+  /// Given  altitude  of the celestial body
   ScatteredColour(const atmosphere::ObserverAir& air, const ColourIndices& body,
                   algebra::Angle altitude);
 
-  /// Light scattered by molecules and by aerosol, for scattering terms (atmosphere::scattering_terms) of 1.
+  /// Light scattered by molecules and by aerosol, each for a scattering term of 1 (atmosphere::scattering_terms).
   struct Pair {
     Rgb molecules, aerosol;
   };
@@ -67,10 +67,10 @@ struct SkyTerms {
 };
 
 /// Clear sky over a place at one moment, in every direction: airglow, twilight, and moonlight that the air scatters
-/// (atmosphere/twilight_sky.h, sky_luminance.h). By day it is as in bright twilight, with the Sun at 5 degrees.
+/// (atmosphere/twilight_sky.h, sky_luminance.h). By day it looks as in bright twilight, with the Sun at 5 degrees.
 class ClearSky {
  public:
-  /// Given   moon_magnitudes  of the Moon above the air: B, V, R; infinite for a dark Moon
+  /// Given   moon_magnitudes  of the Moon without air, in B, V and R; infinite for a dark Moon
   /// Throws  Error            when a term of the air is outside its range
   ClearSky(const almanac::Observer& place, const almanac::SkyState& sky,
            const atmosphere::ObserverAir& air, std::span<const double> moon_magnitudes);
@@ -78,14 +78,14 @@ class ClearSky {
   ClearSky(const almanac::Observer& place, const almanac::SkyState& sky,
            const atmosphere::ObserverAir& air, double moon_magnitude);
 
-  /// Light of the sky [cd/m²], linear Rec.709; its luminance is that of `towards`. Moonlight has the colour that
-  /// scattering gives it (ScatteredColour); airglow has B − V = 1.03 and V − R = 0.74.
+  /// Light of the sky [cd/m²], linear Rec.709, with the luminance that `towards` gives. Moonlight gets its colour from
+  /// scattering (ScatteredColour). Airglow has B − V = 1.03 and V − R = 0.74.
   ///
   /// Given   direction  as for `towards`
   /// Source  Patat (2003), A&A 400, 1183, for the colour of airglow
   Rgb light(const glm::dvec3& direction) const;
 
-  /// Given  direction  unit vector: east, north, up; apparent, with refraction included
+  /// Luminance of the sky in an apparent direction: a unit vector (east, north, up) that includes refraction.
   SkyTerms towards(const glm::dvec3& direction) const;
 
   /// Apparent angle between a direction and the Moon.
@@ -102,7 +102,7 @@ class ClearSky {
 
   double extinction_mag_;
   atmosphere::SkyLamp moon_;
-  glm::dvec3 to_moon_, to_sun_;  ///< east, north, up
+  glm::dvec3 to_moon_, to_sun_;  ///< unit vectors: east, north, up
   algebra::Angle sun_altitude_;
   atmosphere::TwilightSky twilight_;
   std::vector<ScatteredColour::Pair>

@@ -32,8 +32,8 @@ const PictureFile& file_of(const std::filesystem::path& picture) {
   return files::format_of(picture, picture_files(), "a picture");
 }
 
-/// The development with the display that a file's ending implies if none is asked for, and with names spelt as in the
-/// configuration, which may come from $OCIO.
+/// Completes a development for a picture's file. If the usual display is set, the file's ending chooses the display.
+/// Names are spelt as in the OpenColorIO configuration, which may come from $OCIO.
 Development for_file(Development development, const std::filesystem::path& picture) {
   if (file_of(picture).high_range && development.display == usual_display)
     development.display = high_range_display;
@@ -44,10 +44,10 @@ Development for_file(Development development, const std::filesystem::path& pictu
   return development;
 }
 
-/// Luminance of a colour, or its brightest channel [cd/m²].
+/// A function that measures a colour: its luminance, or its brightest channel [cd/m²].
 using Level = double(colour::WorkingSpace, std::span<const double>);
 
-/// Levels of the lit pixels that the Moon covers, wholly or partly [cd/m²].
+/// Levels of all lit pixels that the Moon covers wholly or partly [cd/m²].
 std::vector<double> levels(Level level, const texture::Image& frame, colour::WorkingSpace space,
                            const std::optional<DiscOutline>& disc) {
   std::vector<double> lit;
@@ -71,7 +71,7 @@ double bright_level_of(std::vector<double> lit) {
   return *bright;
 }
 
-/// Collects the greatest of numbers that arrive one by one, as many as their 99th percentile needs.
+/// Keeps the greatest of the numbers that are added to it, just enough of them to find the 99th percentile of all.
 class Brightest {
  public:
   explicit Brightest(std::size_t most) : kept_(most - most * 99 / 100) {}
@@ -97,7 +97,7 @@ class Brightest {
   std::vector<double> greatest_;
 };
 
-/// Passes the texture to a function, some rows at a time.
+/// Calls a function on the whole texture, a band of rows at a time.
 void for_each_band(const LitTexture& texture,
                    const std::function<void(const texture::Image&)>& act) {
   constexpr std::size_t rows_at_once = 64;
@@ -109,7 +109,7 @@ void for_each_band(const LitTexture& texture,
   }
 }
 
-/// The leading bits of a level, which sort like the level itself; and the middle of all levels that share them.
+/// Levels are counted by the leading bits of their floats, which sort like the levels. The last 12 bits are dropped.
 constexpr unsigned dropped_bits = 12;
 
 std::size_t step_of(double level) {
@@ -131,34 +131,34 @@ double f_number_of(const Development& development) {
                 : development.f_number.value_or(12.1);
 }
 
-/// Cube of the mean cube root, which changes smoothly while the shadow covers the disc.
+/// Cube of the mean cube root of the pixels' brightest channels. It changes smoothly as the shadow covers the disc.
 double cubic_mean(const LitSums& sums) {
   const double mean = sums.cube_roots / static_cast<double>(sums.count);
   return mean * mean * mean;
 }
 
-/// Mean weighted by the cube: close to the mean of the bright part, however small that is.
+/// Mean weighted by the cube of each value. It is close to the mean of the bright part, however small that part is.
 double bright_mean(const LitSums& sums) { return sums.fourth_powers / sums.cubes; }
 
-/// Harmonic mean: close to the mean of the dark part as soon as that is a tenth of the disc.
+/// Harmonic mean. It is close to the mean of the dark part once that part is a tenth of the disc.
 double dark_mean(const LitSums& sums) { return static_cast<double>(sums.count) / sums.inverses; }
 
-/// Exposure settings for a time of one second.
+/// An exposure of one second with the f-number and ISO speed of the development.
 colour::Exposure one_second(const Development& development) {
   return {1, f_number_of(development), development.iso};
 }
 
-/// Share of saturation at which a sky is shown: dark at night, brighter as the eye adapts to more light, and
-/// never near white.
+/// Share of saturation at which a sky is exposed. The night sky comes out dark, and brighter skies come out brighter,
+/// as they look to the adapted eye, but never near white.
 ///
 /// Source  Krawczyk, Myszkowski & Seidel (2005), Perceptual effects in real-time tone mapping, Proc. SCCG, eq. 11: a
 ///         scene's key as a function of its luminance
 double sky_level(double sky_cd_m2) {
-  constexpr double least = 0.1, most = 0.4;  // or a dim Moon would be lost in the dark
+  constexpr double least = 0.1, most = 0.4;  // with less, a dim Moon would be lost in the dark
   return std::clamp(1.03 - 2 / (2 + std::log10(sky_cd_m2 + 1)), least, most);
 }
 
-/// Exposure time in which the sky reaches its level or, if sooner, a brightest channel a given share of saturation.
+/// Exposure time that brings the brightest channel to a share of saturation, or the sky to its level if that is sooner.
 double time_for(const Development& development, double sky_cd_m2,
                 const std::optional<double>& brightest = {}, double level = 0) {
   double scale = brightest ? level / *brightest : std::numeric_limits<double>::max();
@@ -169,11 +169,11 @@ double time_for(const Development& development, double sky_cd_m2,
 /// Shares of saturation that the exposure rules aim at.
 constexpr double brightest_level = 0.8, followed_level = 0.25, composite_level = 0.6;
 
-/// Exposures according to a development's rule.
+/// Computes exposures by the rule that a development sets.
 ///
 /// Given  lit     number of lit pixels
-///        sums    makes the sums over them
-///        bright  finds the 99th percentile of their brightest channels
+///        sums    computes the sums over the lit pixels
+///        bright  computes the 99th percentile of the lit pixels' brightest channels
 template <class Sums, class Bright>
 Exposures exposed_for(const Development& development, double sky_cd_m2, std::size_t lit,
                       const Sums& sums, const Bright& bright) {
@@ -217,7 +217,7 @@ void write_files(const CameraRequest& request, const colour::Camera& camera,
                        attributes, {.type = texture::ExrType::floating, .allow_negative = true});
 }
 
-/// The photograph of a frame, in the frame's unit; without a camera, the frame itself.
+/// The camera's photograph of a frame, in the frame's unit of light; if there is no camera, the frame itself.
 colour::Image taken(const Development& development, const colour::Exposure& exposure,
                     const Frame& frame) {
   const auto camera = camera_of(development);
@@ -230,7 +230,7 @@ colour::Image taken(const Development& development, const colour::Exposure& expo
 /// (1 - exp(-x)) / x
 double rounded_off(double x) { return std::abs(x) < 1e-9 ? 1 : -std::expm1(-x) / x; }
 
-/// Dims a frame's brightest channels x, in units of saturation, to 1 - exp(-x); each colour keeps its ratios.
+/// Dims each pixel so that its brightest channel x, in units of saturation, becomes 1 - exp(-x). Colours do not change.
 texture::Image dimmed(texture::Image light, colour::WorkingSpace space, double scale) {
   require_colours(light);
   for (std::size_t r = 0; r < light.height; ++r)
@@ -265,7 +265,7 @@ colour::Image shadow_taken(const Development& development, const colour::Exposur
 /// Composite of two exposures, in units of saturation.
 colour::Image composite(const Development& development, const Exposures& exposures,
                         const Frame& frame) {
-  constexpr double share = 0.3;  // share of white that the longer exposure gets
+  constexpr double share = 0.3;  // weight of the longer exposure
   auto longer = exposures.shorter;
   longer.time_s = *exposures.longer_s;
   auto all = taken(development, exposures.shorter, frame);
@@ -284,7 +284,7 @@ colour::DisplayTransform transform_of(const Development& development, double sca
   return {scale, development.view, development.display, config, development.config_space};
 }
 
-/// Scaled light as a picture for a display, clamped to 0 to 1.
+/// Scales light and transforms it into a picture for a display, with numbers clamped to the range 0 to 1.
 texture::Image shown_of(const Development& development, double scale, colour::Image scene,
                         colour::WorkingSpace space) {
   auto image =
@@ -346,7 +346,7 @@ double sky_over_moon(const texture::Image& frame, colour::WorkingSpace space,
   const double sky = seen.sky_cd_m2;
   if (sky == 0) return 0;
   const auto lit = levels(colour::luminance, frame, space, seen.disc);
-  // half floats cannot resolve a Moon with a thousandth of its sky's light
+  // half floats cannot resolve a Moon that adds only a thousandth to the sky's light
   return lit.empty() ? 0 : sky / std::max(bright_level_of(lit) - sky, sky / 1000);
 }
 
@@ -437,7 +437,7 @@ texture::Image shown(const Development& development, double scale, const texture
 texture::Image developed(const Development& development, const Exposures& exposures,
                          const Frame& frame) {
   const auto& [exposure, longer_s, a_cameras] = exposures;
-  const bool through_camera = camera_of(development).has_value();  // a camera blurs the edge itself
+  const bool through_camera = camera_of(development).has_value();  // a camera blurs the Moon's edge
   const LimbPixels limb(through_camera ? std::nullopt : frame.seen.disc, frame.light,
                         frame.seen.sky_cd_m2 > 0);
   const auto light = limb.with_ground(frame.light);
@@ -456,7 +456,7 @@ void write_picture(const Development& asked, const Exposures& exposures, const F
   auto image = developed(development, exposures, frame);
   if (development.caption) {
     const auto [left, right] = caption_of(frame.attributes);
-    const float grey = development.display == high_range_display ? 0.5F : 0.8F;  // 100 cd/m² in PQ
+    const float grey = development.display == high_range_display ? 0.5F : 0.8F;  // in PQ, 100 cd/m²
     texture::write_captions(image, left, right, grey, texture::sheet_font());
   }
   if (const auto date = frame.attributes.find("capDate"); date != frame.attributes.end())

@@ -16,13 +16,13 @@ namespace coppermoon::uses {
 /// Rule for the exposure time of a frame.
 struct ExposureTime {
   enum class Rule {
-    automatic,  ///< puts the 99th percentile of lit ground at 0.8 of saturation (brightest channel)
-    follow,     ///< puts the cubed mean cube root of brightest channels at 0.25: smooth at totality
-    composite,  ///< for films: two exposures in one picture, for the bright part and the shadow
+    automatic,  ///< exposes the 99th percentile of lit pixels to 0.8 of saturation
+    follow,     ///< exposes for a mean over the disc that changes smoothly at totality
+    composite,  ///< for films: combines an exposure for the bright part and one for the shadow
     fixed
   };
   Rule rule = Rule::automatic;
-  double seconds = 1;  ///< for a fixed exposure, 1e-6 to 1e6
+  double seconds = 1;  ///< for the rule `fixed`, 1e-6 to 1e6
 };
 
 /// Settings for the camera and the development.
@@ -33,48 +33,48 @@ struct Development {
   std::string
       view = "Hue-preserving",
       display = "sRGB",
-      config;  ///< for OpenColorIO; config: a file, or ocio://…; if empty, as colour::config_for
+      config;  ///< for OpenColorIO; config is a file or ocio://…, or found by colour::config_for
   std::string
-      config_space{};      ///< the frames' colour space in the configuration; if empty, it is found
-  int bits = 8;            ///< per number in a picture, 8 or 16
+      config_space{};      ///< the frames' colour space in the configuration; if empty, detected
+  int bits = 8;            ///< bits per number in a picture, 8 or 16
   bool caption = false;    ///< write local time, place and contact into pictures
   CameraRequest camera{};  ///< for frames; textures have no camera
-  std::optional<double> focal_length_mm{};  ///< given for the view; if absent, the camera's
+  std::optional<double> focal_length_mm{};  ///< that of the view; if absent, the camera's
 };
 
 /// Exposure of a picture, or both exposures of a composite.
 struct Exposures {
   colour::Exposure shorter;
-  std::optional<double> longer_s = {};  ///< not less than the shorter one's
-  bool a_cameras = true;                ///< otherwise it only says which luminance is white
+  std::optional<double> longer_s = {};  ///< for a composite; not less than the shorter time
+  bool a_cameras = true;                ///< otherwise it only sets the luminance of white
 };
 
-/// Exposure by the rule of a development. It follows from the Moon's pixels, which hold the sky's light too, but is no
-/// longer than brings the sky to its own level, from 0.1 of saturation at night to 0.4 by day. If nothing of the Moon
-/// is lit, the sky alone decides; if the sky is black too, it is 1 s.
+/// Exposure of a frame by the development's rule. It is computed from the Moon's pixels, including the sky's light in
+/// them, but is short enough to keep the sky at or below its own level: 0.1 of saturation at night, up to 0.4 by day.
+/// If nothing of the Moon is lit, only the sky counts. If the sky is black as well, the time is 1 s.
 ///
-/// Given  seen  if it has the Moon's outline, stars beside the Moon are not counted; otherwise all pixels are
+/// Given  seen  if it has the Moon's outline, only pixels of the Moon count; otherwise all pixels do
 /// Throws Error when a setting is outside its range, or the frame has fewer than three channels
 Exposures exposures_for(const Development& development, const texture::Image& frame,
                         colour::WorkingSpace space, const SeenFrame& seen = {});
 
-/// Scene-linear texture to be developed [cd/m²], whose rows may be asked for more than once.
+/// A scene-linear texture that is to be developed [cd/m²]. Its rows may be requested more than once.
 struct LitTexture {
   texture::Layout layout;
   texture::Rows rows;
   colour::WorkingSpace space;
 };
 
-/// Exposure for a texture, as if its texels were a frame without a camera. Only some rows are in memory at a time.
+/// Exposure for a texture, which is treated like a frame without a camera. Only some rows are in memory at a time.
 Exposures exposures_for(const Development& development, const LitTexture& texture);
 
-/// Ratio of the sky's luminance in a frame to the 99th percentile of the Moon's own; 0 without a sky or a lit Moon.
+/// Ratio of the sky's luminance in a frame to the 99th percentile of the Moon's; 0 if the sky or the Moon is dark.
 ///
 /// Throws Error when the frame has fewer than three channels
 double sky_over_moon(const texture::Image& frame, colour::WorkingSpace space,
                      const SeenFrame& seen);
 
-/// Sums over the brightest channels of lit pixels [cd/m²], from which exposure times follow.
+/// Sums of powers of the brightest channel [cd/m²] over all lit pixels. Exposure times are computed from them.
 struct LitSums {
   std::size_t count = 0;
   double inverses = 0, cube_roots = 0, cubes = 0, fourth_powers = 0;
@@ -82,10 +82,10 @@ struct LitSums {
   void add(double brightest_cd_m2);
 };
 
-/// Exposure shared by a set of frames: the rule for a single frame, applied to the pixels of all of them. Only counts
-/// and sums are kept.
+/// One exposure for a set of frames: the rule for a single frame, applied to the pixels of all of them. Only counts
+/// and sums are kept in memory.
 ///
-/// Accuracy  automatic times to 1/2000, since levels are counted in steps of 2^-11
+/// Accuracy  automatic times to 1/2000, because levels are counted in steps of 2^-11
 class SharedExposure {
  public:
   explicit SharedExposure(const Development& development);
@@ -94,59 +94,59 @@ class SharedExposure {
 
  private:
   Development development_;
-  std::vector<std::size_t> counts_;  ///< of brightest channels above 0, by their leading bits
+  std::vector<std::size_t> counts_;  ///< number of pixels at each step of the brightest channel
   LitSums sums_;
   double sky_cd_m2_ = 0;  ///< the brightest sky so far
 };
 
-/// Identifies the colour transform of view and display, whatever their configuration is called.
+/// Text that identifies the colour transform of a view and display, whatever the name of their configuration.
 std::string fingerprint(const Development& development, colour::WorkingSpace space);
 
-/// Factor from luminance [cd/m²] to the scale on which white is 1.
+/// Factor that converts luminance [cd/m²] to a scale on which white is 1.
 double scale_of(const Development& development, const colour::Exposure& exposure);
 
-/// Whether an exposure is a camera's: if the file is ours, and so holds the Moon's light, or if the time, f-number or
-/// camera model is given. Another program's scene may be in any unit of light.
+/// Whether an exposure is that of a camera. This is so if coppermoon made the frame, or if an exposure time, f-number
+/// or camera model is set. Otherwise the frame may be in any unit of light.
 bool is_a_cameras(const Development& development, const SeenFrame& seen);
 
-/// Adds a camera's exposure under OpenEXR's standard names, and for a composite also
+/// Adds a camera's exposure to a header under OpenEXR's standard names. For a composite, it also adds
 /// `coppermoon:longer_exposure_s`.
 void add_exposure(texture::Attributes& attributes, const Exposures& exposures);
 
-/// The development changed for screens of high dynamic range: display Rec.2100-PQ, in 16 bits.
+/// The same development for screens of high dynamic range: the display is Rec.2100-PQ, with 16 bits.
 Development of_high_range(Development development);
 
-/// Throws Error when the development would fail whatever the frame holds: for a setting outside its range, a
-///        picture whose ending is in none of picture_files(), or a view that does not exist
+/// Throws Error when the development would fail for any frame: for a setting outside its range, a picture whose
+///        ending is not in picture_files(), or a view that does not exist
 void require_sound(const Development& development, const std::filesystem::path& picture);
 
-/// The frame transformed for its display, with luminance 1/scale shown as white: channels R, G, B, 0 to 1.
+/// The frame transformed for the display, which shows a luminance of 1/scale as white: channels R, G, B, 0 to 1.
 texture::Image shown(const Development& development, double scale, const texture::Image& frame,
                      colour::WorkingSpace space);
 
-/// Develops a frame [cd/m²] into a picture: channels R, G, B, 0 to 1. With a camera it is the camera's photograph, and
-/// the camera's own files are written if asked for.
+/// Develops a frame [cd/m²] into a picture with channels R, G, B, 0 to 1. With a camera, the picture is the camera's
+/// photograph, and the camera's files are written if they are requested.
 ///
-/// A composite lays the longer exposure under the shorter one. If x is a colour's brightest channel in units of
-/// saturation, it becomes 0.7 x_shorter + 0.3 (1 - exp(-x_longer)), and the colour keeps its ratios: what
-/// is brighter comes out brighter. A camera takes the longer exposure of ground dimmed in this way: its sensor does
-/// not clip, and the glare of the sunlit part does not drown the shadow.
+/// A composite adds two exposures. A colour's brightest channel x, in units of saturation, becomes
+/// 0.7 x_shorter + 0.3 (1 - exp(-x_longer)), and its other channels keep their ratios to it. Brighter ground thus stays
+/// brighter. A camera takes the longer exposure of a scene that is already dimmed to 1 - exp(-x), so that the sensor
+/// does not clip and the glare of the sunlit part does not drown the shadow.
 texture::Image developed(const Development& development, const Exposures& exposures,
                          const Frame& frame);
 
-/// Rows of a texture's developed picture, as if its texels were a frame without a camera.
+/// Rows of the picture that a texture is developed into. The texture is treated like a frame without a camera.
 texture::Rows developed_rows(const Development& development, const Exposures& exposures,
                              const LitTexture& texture);
 
-/// Develops a texture and writes the picture, as below. Only some rows are in memory at a time.
+/// Develops a texture and writes the picture. Only some rows are in memory at a time.
 void write_picture(const Development& development, const Exposures& exposures,
                    const LitTexture& texture, const texture::Attributes& attributes,
                    const std::filesystem::path& picture);
 
 /// Develops a scene-linear frame and writes the picture. A picture that ends in .avif has high dynamic range
-/// (write_avif), for the display Rec.2100-PQ: saturation is 100 cd/m², and what is brighter stays brighter.
+/// (write_avif), for the display Rec.2100-PQ: saturation is 100 cd/m², and brighter light stays brighter.
 ///
-/// Given  attributes  for the picture's header; the frame's own are for the camera's files
+/// Given  attributes  for the picture's header; those of the frame go into the camera's files
 void write_picture(const Development& development, const Exposures& exposures, const Frame& frame,
                    texture::Attributes attributes, const std::filesystem::path& picture);
 

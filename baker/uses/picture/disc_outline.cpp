@@ -20,7 +20,7 @@ namespace {
 
 /// Area of the part of a pixel on the inner side of a straight line.
 ///
-/// Given  inside  distance of the pixel's middle from the line; along, across: the line's unit normal
+/// Given  inside  signed distance of the pixel's middle from the line, whose unit normal is (along, across)
 double area_inside(double inside, double along, double across) {
   const double a = std::max(std::abs(along), std::abs(across)),
                b = std::min(std::abs(along), std::abs(across));
@@ -32,8 +32,8 @@ double area_inside(double inside, double along, double across) {
 
 using povray_scenes::RenderWindow;
 
-/// The first pixel that [middle - reach, middle + reach] touches, and one past the last: widened by one on each side,
-/// at least two pixels, and within the frame.
+/// The pixels that middle ± reach touches, as the first of them and one past the last. The range is widened by one
+/// pixel on each side, has at least two pixels, and stays within the frame.
 std::optional<std::pair<std::size_t, std::size_t>> pixels_about(double middle, double reach,
                                                                 std::size_t count) {
   const auto most = static_cast<double>(count);
@@ -56,8 +56,8 @@ double share_at(const DiscOutline& disc, std::size_t row, std::size_t column) {
   return covered_share(disc, static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
 }
 
-/// The nearest pixel along the radius that is covered by the given share: 1 inwards, 0 outwards. Nothing if the disc
-/// has only few pixels, or if that pixel is outside the frame.
+/// The nearest pixel along the disc's radius that the disc covers wholly (share 1, inwards) or not at all (share 0,
+/// outwards). Nothing if the disc has only a few pixels, or if that pixel is outside the frame.
 std::optional<std::pair<std::size_t, std::size_t>> beside(const DiscOutline& disc,
                                                           const texture::Image& frame,
                                                           std::size_t row, std::size_t column,
@@ -77,8 +77,8 @@ std::optional<std::pair<std::size_t, std::size_t>> beside(const DiscOutline& dis
 
 }  // namespace
 
-/// Derivation: a line of sight v from the camera's place f passes within 1 of the centre if
-/// (|f|² − 1) |v|² < (f·v)². v is linear in the pixel's x and y, so the limit is a conic.
+/// Derivation: a line of sight v from the camera's place f passes within one lunar radius of the Moon's centre if
+/// (|f|² − 1) |v|² < (f·v)². Since v is linear in the pixel's x and y, the Moon's edge is a conic.
 std::optional<DiscOutline> disc_outline(const povray_scenes::SceneCamera& camera) {
   const auto sight = povray_scenes::sight_of(camera);
   const auto& round = sight.round_from_flattened;
@@ -107,7 +107,7 @@ double covered_share(const DiscOutline& o, double x, double y) {
   return area_inside((1 - value) / slope, slope_x / slope, slope_y / slope);
 }
 
-/// Half width of the ellipse: sqrt(yy / (xx yy - xy²/4)); half height: the same with xx in the numerator.
+/// The ellipse's half width is sqrt(yy / (xx yy - xy²/4)), and its half height is sqrt(xx / (xx yy - xy²/4)).
 std::optional<RenderWindow> window_of(const DiscOutline& o, std::size_t width, std::size_t height) {
   if (width < 2 || height < 2) return std::nullopt;
   const double determinant = o.xx * o.yy - o.xy * o.xy / 4;

@@ -16,7 +16,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Number of pixels between nodes: a quarter of a degree, but 4 to 64 pixels.
+/// Distance between the nodes of the sky [pixels]: a quarter of a degree, but at least 4 and at most 64 pixels.
 std::size_t step_of(const povray_scenes::SceneCamera& camera) {
   const double quarter = std::numbers::pi / 720 / pixel_rad_of(camera);
   return static_cast<std::size_t>(std::clamp(quarter, 4., 64.));

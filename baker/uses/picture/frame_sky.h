@@ -13,18 +13,18 @@
 
 namespace coppermoon::uses {
 
-/// Light of the sky in a frame. It comes from air in front of the camera, so it covers the Moon as much as its
+/// Light of the sky in a frame. It comes from air in front of the Moon, so it is added to the Moon as well as to its
 /// surroundings.
 ///
-/// Over a place it is ClearSky's, evaluated at nodes and linear between them. If a luminance is asked for, the sky is
-/// even, white as D65; otherwise, from space, it is black. Below the horizon the sky continues as on the horizon.
+/// If a luminance is requested, the sky is even and has the white of D65. Otherwise an observer sees that of ClearSky,
+/// interpolated between nodes, and from space the sky is black. Below the horizon it continues as on the horizon.
 ///
-/// Accuracy  of interpolation 1e-3 from 5 degrees up, 1 % just above the horizon
-/// Omits     the response that the Moon and the stars are seen through, if any
+/// Accuracy  of the interpolation: 1e-3 from 5 degrees of altitude up, 1 % just above the horizon
+/// Omits     the effect of a spectral response on the sky's colour
 class FrameSky {
  public:
-  /// Given   moon  lights the air; its albedo may have any size
-  /// Throws  Error  as ClearSky
+  /// Given   moon  lights the air; its albedo map may have any size
+  /// Throws  Error  when ClearSky does
   FrameSky(const View& view, const LitMoon& moon);
 
   bool black() const { return at_moon_cd_m2_ == 0; }
@@ -34,8 +34,8 @@ class FrameSky {
   /// Adds the sky's light to the channels R, G, B of a frame from the view's camera [cd/m²].
   void add_to(texture::Image& frame) const;
 
-  /// Light at every `step` pixels from the frame's upper left corner to beyond its right and lower sides: R, G, B,
-  /// linear Rec.709 [cd/m²]
+  /// Light of the sky at nodes that are `step` pixels apart, from the frame's upper left corner to beyond its right
+  /// and lower edges: R, G, B, linear Rec.709 [cd/m²].
   struct Nodes {
     std::size_t step;
     texture::Image light;
@@ -44,7 +44,7 @@ class FrameSky {
 
  private:
   povray_scenes::SceneCamera camera_;
-  glm::dmat3 axes_{1};  ///< from axes_as_seen
+  glm::dmat3 axes_{1};  ///< axes of the sky, from axes_as_seen
   std::optional<ClearSky> clear_;
   double at_moon_cd_m2_ = 0;
 };

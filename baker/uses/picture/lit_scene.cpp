@@ -27,9 +27,9 @@ constexpr const char *texture_file = "moon_lin_rec709.exr", *moon_file = "moon.i
                      *stars_file = "eclipse_stars.inc", *macros_file = "coppermoon.inc",
                      *air_file = "eclipse_air.exr";
 
-/// Diameter of the disc [pixels].
+/// Diameter of the Moon's disc [pixels].
 double diameter(const povray_scenes::SceneCamera& camera) {
-  const double away = glm::length(camera.position);  // in lunar radii
+  const double away = glm::length(camera.position);  // distance in lunar radii
   const double tangent = 1 / std::sqrt(away * away - 1);
   return static_cast<double>(camera.width) * tangent /
          std::tan(algebra::in_radians(camera.horizontal_field) / 2);
@@ -80,7 +80,7 @@ void require_scene_folder(const std::filesystem::path& folder, const ViewRequest
   povray_scenes::require_scene_place(folder);
   if (!view.observer) return;
   for (const char* file : {moon_file, stars_file}) files::require_stamped(folder / file);
-  const auto copied = folder / macros_file;  // perhaps copied by hand from the installed file
+  const auto copied = folder / macros_file;  // the user may have put a copy here
   files::require_no_link(copied);
   if (std::filesystem::exists(copied) && files::bytes_of(copied) != povray_scenes::coppermoon_inc())
     files::require_stamped(copied);

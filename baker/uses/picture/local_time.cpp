@@ -19,7 +19,7 @@ namespace {
 
 constexpr double city_clocks_km = 300;  ///< a city's time zone applies up to this distance
 
-/// UTC to the second, without leap seconds.
+/// Civil date and time of an instant in UTC, to the second, without leap seconds.
 absl::CivilSecond civil_time(const almanac::Instant& when) {
   const auto text = almanac::utc_text(when);
   const std::size_t sign = text.starts_with('-');
@@ -39,7 +39,7 @@ std::string clock_text(const absl::CivilSecond& time) {
   return fmt::format("{:02}:{:02}:{:02}", time.hour(), time.minute(), time.second());
 }
 
-/// Whether a text has only characters of IANA's zone names; with others it could name a file.
+/// Whether a text has only characters that occur in IANA's zone names. With others, it could be a path to a file.
 bool is_plain(const std::string& name) {
   return std::ranges::all_of(name, [](unsigned char c) {
     return std::isalnum(c) || c == '_' || c == '-' || c == '+' || c == '/';
@@ -66,7 +66,7 @@ double kilometres_between(const almanac::Observer& observer, const almanac::City
   return algebra::in_kilometres(almanac::distance_between(observer, city.place));
 }
 
-/// Hours by which clocks set by the longitude are ahead of UTC.
+/// Offset from UTC that follows from the longitude, in whole hours; positive in the east.
 int hours_by_longitude(const almanac::Observer& observer) {
   const double east_deg = std::remainder(algebra::in_degrees(observer.longitude), 360);
   return static_cast<int>(std::lround(east_deg / 15));
@@ -95,7 +95,7 @@ almanac::Instant instant_of_local(const std::string& local, const std::string& z
 std::string time_zone_of(const almanac::Observer& observer) {
   const auto city = almanac::nearest_city(observer);
   if (kilometres_between(observer, city) <= city_clocks_km) return city.time_zone;
-  return fmt::format("Etc/GMT{:+}", -hours_by_longitude(observer));  // with the sign as in POSIX
+  return fmt::format("Etc/GMT{:+}", -hours_by_longitude(observer));  // in POSIX, west is positive
 }
 
 std::string zone_or_utc(const almanac::Observer& observer) {

@@ -19,7 +19,7 @@ using almanac::Instant;
 
 constexpr auto usual = eclipse::ShadowConvention::danjon;
 
-/// Time zone of a context; empty if it has neither a zone nor a place.
+/// The time zone that a context sets; empty if it has neither a zone nor a place.
 std::string zone_of(const MomentContext& context) {
   if (!context.zone.empty() && context.zone != "local") return context.zone;
   if (context.observer) return time_zone_of(*context.observer);
@@ -33,8 +33,8 @@ Instant instant_in(const std::string& text, const MomentContext& context) {
   return instant_of_local(text, zone_of(context), context.calendar);
 }
 
-/// Last moonrise before P4 and first moonset after P1, if there are any within a lunar day; moved by up to a
-/// second, so that the Moon is up at the full second.
+/// The last moonrise before P4 and the first moonset after P1, if they occur within a lunar day. Each is moved by up to
+/// a second, so that the Moon is up at the full second.
 std::vector<std::pair<std::string, Instant>> rise_and_set(const eclipse::Eclipse& eclipse,
                                                           const almanac::Observer& place) {
   constexpr double lunar_day_s = 25 * 3600.;

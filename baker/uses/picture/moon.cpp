@@ -31,13 +31,13 @@ void require_sound(const MoonRequest& moon) {
   if (moon.response) colour::require_spectral(*moon.response);
 }
 
-/// Turns a map with longitude 180 in its middle to have longitude 0 there.
+/// Rotates a map that has longitude 180 in its middle by half a turn, which brings longitude 0 there.
 void turn_round(algebra::Grid<float>& map) {
   for (std::size_t r = 0; r < map.rows(); ++r)
     std::rotate(map.row(r).begin(), map.row(r).begin() + map.columns() / 2, map.row(r).end());
 }
 
-/// Ratio of the mean of a map's near side to that of its far side.
+/// Ratio of the mean albedo of a map's near side to that of its far side.
 double near_over_far(const algebra::Grid<float>& map) {
   double near = 0, far = 0;
   const std::size_t columns = map.columns();
@@ -85,7 +85,7 @@ struct Decoding {
   Map (*decoded)(Map);
 };
 
-// to add an encoding, add a row here and a row in docs/textures.md
+// To add an encoding, add a row here and a row in docs/textures.md.
 const std::vector<Decoding> decodings{
     {{"image", AlbedoEncoding::image, "light, as the file says"},
      texture::Coding::as_file_says,
@@ -106,7 +106,7 @@ Map decoded_map(const std::filesystem::path& file, AlbedoEncoding encoding) {
   return how.decoded(texture::read_albedo_map(file, how.coding));
 }
 
-/// The built-in map, no finer than the texture, whose texels are averages over the map's.
+/// The built-in map. If it is finer than the texture, it is averaged down to the texture's size.
 algebra::Grid<float> built_in_map_for(const MoonRequest& moon) {
   auto map = surface::built_in_map();
   const std::size_t rows = texture_width_of(moon) / 2;

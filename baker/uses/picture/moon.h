@@ -18,12 +18,12 @@ namespace coppermoon::uses {
 /// How a map's numbers encode normal albedo, up to a factor.
 enum class AlbedoEncoding {
   image,              ///< as light, in the coding that the image file states
-  normal_albedo,      ///< as they are, whatever the file states
+  normal_albedo,      ///< directly, whatever coding the file states
   cgi_moon_kit_2019,  ///< NASA's CGI Moon Kit of 2019: see surface::kit_2019_albedo
   cgi_moon_kit_2025,  ///< sRGB's curve applied to I/F at 60 degrees of phase
 };
 
-/// Word for an encoding in flags and recipes, and what the numbers in its maps mean.
+/// The word for an encoding in flags and recipes, and what the numbers in such a map mean.
 struct AlbedoEncodingWord {
   const char* word;
   AlbedoEncoding encoding;
@@ -33,7 +33,7 @@ struct AlbedoEncodingWord {
 /// All encodings, the default first.
 std::vector<AlbedoEncodingWord> albedo_encoding_words();
 
-/// Receives the ratio by which a map's near side is brighter than its far side, although the far side has fewer maria.
+/// Called with the ratio of brightness if a map's near side, which has more maria, is brighter than its far side.
 using WhenNearSideIsBrighter = std::function<void(double near_over_far)>;
 
 /// The Moon to bake: its map, photometry, light and texture size.
@@ -41,54 +41,54 @@ struct MoonRequest {
   LightRequest light{};
   std::string albedo_map = "built-in";  ///< an image file (2:1), or the library's own map
   surface::Photometry photometry = surface::Photometry::lommel_seeliger_rolo;
-  AlbedoEncoding albedo_encoding = AlbedoEncoding::image;  ///< for a file, as are the next two
+  AlbedoEncoding albedo_encoding = AlbedoEncoding::image;  ///< only for files, like the next two
   double albedo_exponent = 1;  ///< power applied to decoded albedo, 0.1 to 10
   int albedo_map_centre_deg =
       0;  ///< longitude in the map's middle: 0, or 180 for maps from 0 to 360
-  WhenNearSideIsBrighter when_near_side_brighter{};  ///< called above 3 %
+  WhenNearSideIsBrighter when_near_side_brighter{};  ///< called if it is brighter by over 3 %
   bool ground_by_place = true;  ///< use each place's colour and surge, not those of the mean Moon
   std::optional<std::size_t> texture_width{};  ///< if absent, 4096, or what the frame resolves
   double texels_per_pixel = 1;  ///< in the disc's middle, if the frame sets the texture's width
   bool unshadowed = false;      ///< lit as if the Earth were not there
-  /// Camera that sees the Moon, as in colour::camera_spectra; if absent or "colorimetric", the CIE 1931 observer.
+  /// Camera that sees the Moon, named as in colour::camera_spectra; if absent or "colorimetric", the CIE 1931 observer.
   std::optional<std::string> response{};
 };
 
-/// Width of the texture; refuses one that is odd, or outside 4 to 32768.
+/// Width of the texture.
 ///
-/// Throws Error
+/// Throws Error when it is odd, or outside 4 to 32768
 std::size_t texture_width_of(const MoonRequest& moon);
 
 /// Whether the albedo is read from a file.
 bool reads_map(const MoonRequest& moon);
 
-/// The normal albedo of the ground, scaled to give the full Moon a geometric albedo of 0.12: the named map, decoded, or
-/// the built-in one, no finer than the texture (surface::built_in_map). The kits' maps show 60 degrees of phase, where
-/// maria are darker relative to highlands than at full Moon. Raised to the power 1/1.56, they have the contrast of the
-/// normal albedo in Sato et al. (2014), within 5 % rms for cells of one degree on the near side. The poles of the 2019
-/// map are mended: see surface::with_polar_contrast.
+/// Normal albedo of the ground, scaled to give the full Moon a geometric albedo of 0.12. It comes from the named map,
+/// decoded, or from the built-in one, no finer than the texture (surface::built_in_map). The maps of NASA's CGI Moon
+/// Kit show the Moon at a phase of 60 degrees, where maria are darker relative to highlands than at full Moon. Raised
+/// to the power 1/1.56, they have the contrast of the normal albedo in Sato et al. (2014), within 5 % rms for cells of
+/// one degree on the near side. The poles of the 2019 map are mended (surface::with_polar_contrast).
 ///
-/// Throws Error as texture::read_albedo_map; when the exponent is outside 0.1 to 10, or the centre is
+/// Throws Error when texture::read_albedo_map does, the exponent is outside 0.1 to 10, or the centre is
 ///        neither 0 nor 180
 algebra::Grid<float> normal_albedo(const MoonRequest& moon);
 
-/// Colour and surge of the ground at each place under that albedo; nullptr if the mean Moon is asked for.
+/// Colour and opposition surge of the ground at each place of an albedo map; nullptr if the mean Moon is requested.
 ///
-/// Throws Error as surface::ground_under
+/// Throws Error when surface::ground_under does
 std::shared_ptr<const surface::Ground> ground_of(const MoonRequest& moon,
                                                  const algebra::Grid<float>& normal_albedo);
 
-/// Weights of moonlight for a bake: if the ground differs by place, for its reddest and bluest (reddest_and_bluest).
+/// Weights of moonlight for a bake. If the ground differs by place, those for its reddest and bluest are returned.
 ///
-/// Given  at_nm  wavelengths, or middles of bands, that the columns of the weights stand for
+/// Given  at_nm  wavelengths, or middles of bands, one for each column of the weights
 algebra::Grid<double> of_ground(const surface::Ground* ground, const algebra::Grid<double>& weights,
                                 std::span<const double> at_nm);
 
-/// Throws Error as normal_albedo, as far as the map's header tells; for an unknown response
+/// Throws Error when the map's header shows that normal_albedo would fail, or when the response is unknown
 void require_map(const MoonRequest& moon);
 
-/// A fingerprint of the map's file; "built-in" without one. If OpenImageIO reads the file from a recipe (.eclipse), the
-/// texture's is added, as it depends on a map of its own; and so is that of a response's file.
+/// A fingerprint of the map's file, or "built-in". If the file is a recipe (.eclipse), which may name another map, the
+/// fingerprint of its texture is added. If the response is read from a file, that file's fingerprint is added too.
 ///
 /// Throws Error when a file cannot be read
 std::string map_contents(const MoonRequest& moon);

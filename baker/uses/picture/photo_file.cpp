@@ -33,14 +33,14 @@ std::vector<std::optional<std::string>> all_in_header(const std::string& photo, 
   return texture::read_attributes(photo, std::span(names.begin(), names.size()));
 }
 
-/// The text in a photograph's header under the first of several names that it has.
+/// The text in a photograph's header under the first of the given names that has one.
 std::optional<std::string> text_in_header(const std::string& photo, Names names) {
   for (auto& text : all_in_header(photo, names))
     if (text && !text->empty()) return std::move(text);
   return std::nullopt;
 }
 
-/// The number in a photograph's header under the first of several names that it has; the first number of a list.
+/// The number, or first number of a list, in a photograph's header under the first of the given names that has one.
 std::optional<double> number_in_header(const std::string& photo, Names names) {
   for (const auto& text : all_in_header(photo, names)) {
     const auto all = text.value_or("");
@@ -50,7 +50,7 @@ std::optional<double> number_in_header(const std::string& photo, Names names) {
   return std::nullopt;
 }
 
-/// Reads a clock from a header's texts; errors name the photograph.
+/// Reads a clock from texts in a header; error messages name the photograph.
 std::optional<HeaderClock> clock_named(const std::string& photo, const std::string& date,
                                        const std::string& offset = {}) try {
   return clock_in(date, offset);
@@ -58,7 +58,7 @@ std::optional<HeaderClock> clock_named(const std::string& photo, const std::stri
   throw algebra::Error(fmt::format("{}: {}", photo, error.what()));
 }
 
-/// Whether a text holds only blanks and separators, which is how EXIF writes an unknown date or offset.
+/// Whether a text has only blanks and colons, which is how EXIF writes an unknown date or offset.
 bool is_unknown(std::string_view text) {
   return text.find_first_not_of(std::string_view(" :\0", 3)) == text.npos;
 }
@@ -80,17 +80,17 @@ double seconds_at(const HeaderClock& clock) {
   return (when.tt_day + when.tt_fraction) * 86400;
 }
 
-/// Time scale of a FITS file's date; nothing for other files.
+/// Time scale of the date in a FITS file; nothing for other files.
 std::optional<std::string> time_scale_of(const std::string& photo) {
   return texture::read_attribute(photo, "TIMESYS");
 }
 
-/// Converts the reading of a clock on one of FITS's time scales to UTC; LOCAL stays as it is.
+/// Converts a clock's reading from one of FITS's time scales to UTC. A reading on the scale LOCAL is unchanged.
 HeaderClock in_utc(const HeaderClock& clock, std::string scale) {
   static const std::map<std::string, double, std::less<>> behind_tt_s{
       {"TT", 0},       {"TDT", 0},      {"ET", 0},      {"TDB", 0},
       {"TAI", 32.184}, {"IAT", 32.184}, {"GPS", 51.184}};
-  scale = scale.substr(0, scale.find_first_of(" ("));  // "TT(TAI)" names a realisation
+  scale = scale.substr(0, scale.find_first_of(" ("));  // "TT(TAI)" is TT as kept by TAI
   if (scale == "LOCAL") return clock;
   if (scale.starts_with("UT") || scale == "GMT") return {clock.local, "+00:00"};
   const auto found = behind_tt_s.find(scale);
@@ -99,17 +99,17 @@ HeaderClock in_utc(const HeaderClock& clock, std::string scale) {
         "its header's TIMESYS = {}, allowed UTC, UT1, GMT, TT, TDB, TAI, GPS, LOCAL", scale));
   const auto shown = almanac::instant_from_utc(clock.local + 'Z');
   auto utc = almanac::utc_text(almanac::later(shown, found->second - almanac::delta_t_s(shown)));
-  utc.pop_back();  // Z
+  utc.pop_back();  // the final Z
   return {utc, "+00:00"};
 }
 
-/// Whether a photograph comes from a camera and its numbers are coded as sRGB.
+/// Whether a photograph comes from a camera, is not a raw file, and has its numbers coded as sRGB.
 bool is_coded_by_a_camera(const std::string& photo) {
   return uses::camera_of(photo) && !texture::is_raw_file(photo) &&
          texture::read_attribute(photo, "oiio:ColorSpace").value_or("") == "sRGB";
 }
 
-/// ISO speed. EXIF's first tag has 16 bits: for faster speeds it holds 65535, and another tag gives the speed.
+/// ISO speed. EXIF's first tag for it has only 16 bits. If it holds 65535, another tag gives the true, faster speed.
 std::optional<double> iso_of(const std::string& photo) {
   constexpr double most = 65535;
   const auto iso =
@@ -119,15 +119,15 @@ std::optional<double> iso_of(const std::string& photo) {
   return faster ? faster : iso;
 }
 
-/// An APEX value from the header.
+/// The APEX value that a header has under a name.
 std::optional<double> apex_of(const std::string& photo, std::string_view name) {
   const auto stops = algebra::number_in(texture::read_attribute(photo, name).value_or(""));
   constexpr double most = 40;  // cameras without a lens write 2³¹
   return stops && std::abs(*stops) < most ? stops : std::nullopt;
 }
 
-/// Exposure time from the header's APEX value if it agrees with the time shown, otherwise from the time shown. Canon
-/// writes a third of a stop as 3/8, and two thirds as 5/8.
+/// The real exposure time. It follows from the header's APEX value if that agrees with the time shown, otherwise from
+/// the time shown alone. Canon writes a third of a stop as 3/8, and two thirds as 5/8.
 ///
 /// Source  ExifTool, lib/Image/ExifTool/Canon.pm: CanonEv
 double real_time_s(const std::string& photo, double shown_s) {

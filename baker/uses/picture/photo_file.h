@@ -18,20 +18,20 @@ struct CameraSettings {
   std::optional<std::string> gain{};  ///< FITS's GAIN, in whatever unit the camera uses
 };
 
-/// Settings in a photograph's header: APEX values if it has no others (EXIF 2.32, annex C), and the first of several
-/// ISO speeds. A camera's times are those that it really uses (colour::real_time_s); those in FITS are exact.
+/// Exposure settings in a photograph's header. APEX values (EXIF 2.32, annex C) are read if there are no others. A time
+/// that a camera rounds is replaced by the one it really uses (colour::real_time_s); times in FITS are exact.
 CameraSettings settings_of(const std::string& photo);
 
 /// Maker and model of the camera that took a photograph, in one line, or FITS's INSTRUME; nothing if it has neither.
 std::optional<std::string> camera_of(const std::string& photo);
 
-/// Whether the white balance was set by hand, not by the camera for each photograph.
+/// Whether the user set the white balance, so that the camera does not change it from one photograph to the next.
 bool white_balance_is_fixed(const std::string& photo);
 
 /// Reading of a camera's clock.
 struct HeaderClock {
   std::string local;                  ///< "2018-07-27T23:40:12", in the clock's own zone
-  std::optional<std::string> offset;  ///< of that zone, such as "+03:00", if the header has one
+  std::optional<std::string> offset;  ///< of that zone, such as "+03:00"; absent if unknown
   std::string unread{};               ///< the header's text for the offset, if it is not valid
   bool operator==(const HeaderClock&) const = default;
 };
@@ -39,28 +39,28 @@ struct HeaderClock {
 /// Reads a header's date and zone, as EXIF defines them or as cameras write them.
 ///
 /// A date is "2019:01:21 05:12:16". It may have - or / between its numbers, a T before the time, no seconds, or a zone
-/// after it. "24:12:16", from a clock that counts hours from 1 to 24, is in the first hour of that day. A zone is
-/// "+03:00", "-5:00", "+0300", "Z", "UTC" or "GMT", up to 15 h 59 min. Blanks and colons mean that it is unknown; so
-/// does anything else, which is kept as unread.
+/// at its end. "24:12:16", from a clock that counts hours from 1 to 24, is in the first hour of that day. A zone is
+/// "+03:00", "-5:00", "+0300", "Z", "UTC" or "GMT", up to 15 h 59 min. If it consists of blanks and colons, the zone is
+/// unknown. The same holds for any other text, which is kept in `unread`.
 ///
-/// Returned  nothing if the date is blanks or zeros: the camera's clock was not set
+/// Returned  nothing if the date has only blanks or zeros, because the camera's clock was not set
 /// Throws    Error  when the date is anything else
 std::optional<HeaderClock> clock_in(const std::string& date, const std::string& offset = {});
 
-/// When a photograph was taken, by the camera's clock. A FITS date is in UTC, or converted from the time scale that
-/// TIMESYS names; if that is LOCAL, the zone is unknown.
+/// When a photograph was taken, by the camera's clock. The date in a FITS file is in UTC, or is converted from the time
+/// scale that TIMESYS names. If that is LOCAL, the zone is unknown.
 ///
-/// Throws  Error  with the photograph's name: when its header has no date, for an unknown TIMESYS, or as clock_in
+/// Throws  Error  with the photograph's name, when the header has no date or an unknown TIMESYS, or clock_in throws
 /// Source  FITS Standard 4.0 (2018), 9.2.1
 HeaderClock clock_of(const std::string& photo);
 
-/// The program that the header's Software names, if it developed a camera's photograph into sRGB: the numbers are then
-/// the program's, not the camera's own. Nothing for any other photograph.
+/// The program that developed a camera's photograph into sRGB, as named by Software in the header. The program, not the
+/// camera, has then chosen the tone curve. Nothing for any other photograph.
 std::optional<std::string> developer_of(const std::string& photo);
 
-/// Coding of a photograph's numbers, as asked for. If the file is to decide, it is the camera's tone curve when the
-/// numbers are coded as sRGB and the header names a camera; but not for a raw file, which is linear, nor if
-/// developer_of names a program.
+/// Coding of a photograph's numbers, as requested. If the request leaves it to the file, it is the camera's tone
+/// curve, provided that the header names a camera and the numbers are coded as sRGB. This does not apply to raw files,
+/// which are linear, or to photographs that a program has developed (developer_of).
 texture::Coding coding_of(const std::string& photo, texture::Coding told);
 
 /// Whether a photograph's numbers are coded as sRGB, and not by its camera's own tone curve.
@@ -69,39 +69,39 @@ bool is_display_coded(const std::string& photo, texture::Coding told);
 /// Exposure settings in a photograph's header; nothing if one is missing.
 std::optional<colour::Exposure> exif_of(const std::string& photo);
 
-/// Number at which a photograph is clipped, as stored in its file and on the scale of photo_light.
+/// Number at which a photograph is clipped, both as stored in its file and as light on the scale of photo_light.
 struct ClippedAt {
   double number = 1, light = 1;
-  bool of_header = false;  ///< FITS's DATAMAX; otherwise the photograph's greatest number
+  bool of_header = false;  ///< from FITS's DATAMAX; otherwise the photograph's greatest number
 };
 
-/// Number at which a photograph in a FITS file is clipped: DATAMAX, or otherwise the greatest of its light if that
-/// exceeds 1, as sensors differ in how far they count. Nothing for other files, and for light that ends at 1.
+/// Number at which a photograph in a FITS file is clipped: DATAMAX or, if absent, the greatest number in its light if
+/// that exceeds 1, because sensors differ in how far they count. Nothing for other files, or if no light exceeds 1.
 std::optional<ClippedAt> clipped_at(const std::string& photo, const texture::Image& light);
 
-/// Light of a photograph, as from texture::read_light. If the response is spectral (colour::camera_spectra), its matrix
-/// turns a raw file's channels into colours.
+/// Light of a photograph, read by texture::read_light. If the response is spectral (colour::camera_spectra), a raw
+/// file's channels are converted to colours by the matrix for that response.
 texture::Image photo_light(const std::string& photo, texture::Coding coding,
                            const std::optional<std::string>& response);
 
 /// The light in a camera's raw file, scaled by the exposure in its header (colour::exposure_scale): channels
-/// R, G, B, or X, Y, Z, in a working space [cd/m²]. Clipped pixels are white at saturation.
+/// R, G, B, or X, Y, Z, in a working space [cd/m²]. Clipped pixels become white, at saturation.
 ///
-/// Throws  Error  when the header lacks part of the exposure; as photo_light
+/// Throws  Error  when the header lacks part of the exposure, or when photo_light does
 texture::Image raw_light(const std::string& photo, colour::WorkingSpace space,
                          const std::optional<std::string>& response = {});
 
 /// Attributes in a frame's or photograph's header that describe the scene: recipe, moment, meaning of the numbers.
 texture::Attributes scene_attributes(const std::string& file);
 
-/// When a photograph was taken, in seconds on a uniform scale; nothing if its header does not say.
+/// When a photograph was taken, in seconds on a uniform time scale; nothing if its header has no date.
 ///
-/// Throws  Error  with the photograph's name, as clock_in
+/// Throws  Error  with the photograph's name, when clock_in does
 std::optional<double> taken_at_s(const std::string& photo);
 
-/// Reads one photograph of a bracketed set made by coppermoon: its light, its valid pixels, and its weight.
+/// Reads one photograph of a bracketed set that coppermoon made: its light, its valid pixels, and its weight.
 ///
-/// Throws  Error  with the file's name: when its channels, numbers or header are not those of such a photograph
+/// Throws  Error  with the file's name, when its channels, numbers or header are not those of such a photograph
 colour::Bracketed bracketed(const std::string& file);
 
 }  // namespace coppermoon::uses

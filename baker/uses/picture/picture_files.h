@@ -10,11 +10,11 @@
 
 namespace coppermoon::uses {
 
-/// Display-referred picture whose rows are made as they are written: channels R, G, B, 0 to 1.
+/// A display-referred picture whose rows are computed as they are written: channels R, G, B, 0 to 1.
 struct ShownPicture {
   texture::Layout layout;
   texture::Rows rows;
-  int bits = 8;  ///< per number, if the format leaves the choice
+  int bits = 8;  ///< bits per number, if the format allows a choice
   texture::Attributes attributes = {};
 };
 
@@ -27,15 +27,15 @@ struct PictureFile : files::Ending {
 /// All formats for developed pictures.
 std::span<const PictureFile> picture_files();
 
-/// Writes a picture of high dynamic range, .avif: 12 bits, Rec.2020 primaries and PQ (SMPTE ST 2084), which
-/// ITU-T H.273 numbers 9/16/9. The file appears whole or not at all.
+/// Writes a picture of high dynamic range as .avif: 12 bits, Rec.2020 primaries and PQ (SMPTE ST 2084), which is
+/// 9/16/9 in the numbers of ITU-T H.273. The file appears whole or not at all.
 ///
-/// Given     picture     channels R, G, B, coded in this way, 0 to 1
-/// Accuracy  the encoder's: light within 2 % in 95 % of pixels
-/// Throws    Error       when avifenc is not there or fails, or the file cannot be written
+/// Given     picture     channels R, G, B, already coded as PQ, 0 to 1
+/// Accuracy  the encoder changes light by less than 2 % in 95 % of pixels
+/// Throws    Error       when avifenc is missing or fails, or the file cannot be written
 void write_avif(const std::filesystem::path& file, const texture::Image& picture);
 
-/// PQ decoding and encoding: codes 0 to 1, light in units of 10 000 cd/m².
+/// Decodes and encodes PQ, with codes from 0 to 1, and light in units of 10 000 cd/m².
 ///
 /// Source  SMPTE ST 2084:2014
 double light_of_pq(double code);

@@ -22,7 +22,7 @@ constexpr const char *view_heading = "Who looks, and through what",
 
 constexpr const char* whole_moon = "moon";
 
-/// Reads a field of view; nothing for the whole Moon, or for what a lens shows.
+/// Reads a field of view [degrees]; nothing for "moon", which leaves it to the lens that is set or to the Moon's size.
 std::optional<double> field_from(const std::string& text) {
   if (text == whole_moon) return std::nullopt;
   const auto degrees = algebra::number_in(text);
@@ -48,7 +48,7 @@ std::string text_of(const StarRequest& stars) {
   return stars.faintest ? fmt::format("{}", *stars.faintest) : "on";
 }
 
-/// Reads the luminance of the sky; nothing for "auto".
+/// Reads the sky's brightness [mag/arcsec²] and converts it to luminance; 0 for "off", nothing for "auto".
 std::optional<double> sky_luminance_from(const std::string& text) {
   if (text == "auto") return std::nullopt;
   if (text == "off") return 0;
@@ -65,7 +65,7 @@ std::string sky_text(const std::optional<double>& luminance_cd_m2) {
       "{}", -2.5 * std::log10(*luminance_cd_m2 / atmosphere::luminance_of_magnitude_cd_m2(0)));
 }
 
-/// Reads the share of the light that glows around bright ground; nothing for "auto".
+/// Reads the share of light that is spread into a glow around bright ground; nothing for "auto".
 std::optional<double> glow_from(const std::string& text) {
   if (text == "auto") return std::nullopt;
   const auto share = algebra::number_in(text);
@@ -279,7 +279,7 @@ void describe(Parameters& is, CameraRequest& camera) {
   describe_optics(is, camera);
   describe_sensor(is, camera);
   describe_response(is, camera.response);
-  // without a camera, camera_of refuses every other setting
+  // Only these settings need a rule. Without a camera, camera_of refuses all the others.
   is.find("glow")->only_with({{"camera"}}, {"auto"});
   is.find("noise-seed")->only_with({{"camera"}});
   is.find("response")->only_with({{"camera"}}, {"colorimetric"});

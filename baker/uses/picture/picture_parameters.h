@@ -10,53 +10,53 @@
 
 namespace coppermoon::uses {
 
-/// Heading in the help text.
+/// Heading for the camera's parameters in the help text.
 inline constexpr const char* camera_heading = "The camera and the picture";
 
-/// The albedo map, its coding, and the photometry of the ground.
+/// Adds the parameters for the albedo map, its coding, and the photometry of the ground.
 void describe_map(request::Parameters& is, MoonRequest& moon);
 
-/// Width of the texture.
+/// Adds the parameter for the width of the texture.
 void describe_width(request::Parameters& is, MoonRequest& moon);
 
-/// Response to colours: a sensor's matrix, or the filters through which a camera sees all light.
+/// Adds the parameter for the response to colours: a sensor's matrix, or the spectral filters of a camera.
 void describe_response(request::Parameters& is, std::optional<std::string>& response);
 
-/// Whether the Moon is lit as if the Earth were not there.
+/// Adds the parameter for whether the Moon is lit as if the Earth were not there.
 void describe_unshadowed(request::Parameters& is, MoonRequest& moon);
 
-/// The observer, and the air above the observer.
+/// Adds the parameters for the observer and the air above the observer.
 void describe_observer(request::Parameters& is, ViewRequest& view);
 
-/// Stars and planets.
+/// Adds the parameter for stars and planets.
 void describe_stars(request::Parameters& is, ViewRequest& view);
 
-/// The observer, the air above the observer, and the frame: field, size, which way is up, stars and sky.
+/// Adds the parameters for the observer, the air, and the frame: field, size, which way is up, stars and sky.
 void describe(request::Parameters& is, ViewRequest& view);
 
-/// The sky to add to a frame that has none.
+/// Adds the parameter for a sky to be added to a frame that has none.
 void describe_sky_of_frame(request::Parameters& is, std::optional<double>& sky_cd_m2);
 
-/// The camera: its optics and sensor.
+/// Adds the parameters for the camera's model, optics and sensor.
 void describe(request::Parameters& is, CameraRequest& camera);
 
-/// Describes a frame's exposure and development: the first function leaves out the exposure time.
+/// Adds the parameters for a frame's exposure and development; describe_but_time leaves out the exposure time.
 void describe_but_time(request::Parameters& is, Development& development);
 void describe(request::Parameters& is, Development& development);
 
-/// Whether a picture has a caption.
+/// Adds the parameter for whether a picture has a caption.
 void describe_caption(request::Parameters& is, bool& caption);
 
-/// Exposure time as text, for callers that accept more than one time in it.
+/// Adds the parameter for the exposure time as a text, for callers that accept several times in it.
 void describe_time(request::Parameters& is, std::string& time);
 
-/// A texture's colour space and number type.
+/// Adds the parameters for a texture's colour space and number type.
 void describe_numbers(request::Parameters& is, TextureContent& content);
 
-/// A texture's colour space, number type, spectrum and passes.
+/// Adds the parameters for a texture's colour space, number type, spectrum and passes.
 void describe(request::Parameters& is, TextureContent& content);
 
-/// Whether a texture or a frame has passes.
+/// Adds the parameter for whether a texture or a frame has passes.
 void describe_passes(request::Parameters& is, bool& passes);
 
 /// Reads "auto", "follow", "composite" or a number of seconds.

@@ -11,7 +11,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Puts three channels per pixel in a row, as in an image's values.
+/// Stores the three channels of each pixel one after the other, as an image does.
 template <class Pixels>
 texture::Image three_channels(const Pixels& pixels, float unit) {
   texture::Image image(pixels.columns(), pixels.rows(), {"R", "G", "B"});

@@ -9,7 +9,7 @@
 
 namespace coppermoon::uses {
 
-/// Rounds a number that is not negative to the nearest half float; beyond the largest one it stays as it is.
+/// Rounds a non-negative number to the nearest half float. Numbers above the largest half float are not changed.
 float as_half(double value);
 
 /// Throws  Error  when an image has fewer than three channels
@@ -20,7 +20,7 @@ void require_colours(const texture::Image& image);
 /// Throws  Error  when it has fewer
 colour::Image pixels_of(const texture::Image& image);
 
-/// Converts a scene-linear image to another working space, keeping its luminance: channels R, G, B, or X, Y, Z.
+/// Converts a scene-linear image to another working space: channels R, G, B, or X, Y, Z. Its luminance does not change.
 ///
 /// Throws  Error  when it has fewer than three channels
 texture::Image in_space(const texture::Image& image, colour::WorkingSpace from,
@@ -29,16 +29,16 @@ texture::Image in_space(const texture::Image& image, colour::WorkingSpace from,
 /// A single channel of an image.
 algebra::Grid<float> channel_of(const texture::Image& image, std::size_t channel);
 
-/// Image with all its rows in memory, made a few at a time.
+/// An image with all its rows in memory, computed a few rows at a time.
 texture::Image image_of(const texture::Layout& layout, const texture::Rows& rows);
 
-/// Channels R, G, B.
+/// An image with channels R, G, B.
 texture::Image image_of(const colour::Image& pixels);
 
-/// Channels R, G, B from 16-bit numbers, with 65535 as 1.
+/// An image with channels R, G, B from 16-bit numbers, with 65535 as 1.
 texture::Image image_of(const algebra::Grid<colour::RawPixel>& raw);
 
-/// Channels R, G, B, and `valid`, which is 1 if none of the three is clipped.
+/// An image with channels R, G, B, and `valid`, which is 1 if none of the three is clipped.
 texture::Image image_of(const colour::Image& pixels, const algebra::Grid<float>& valid);
 
 }  // namespace coppermoon::uses

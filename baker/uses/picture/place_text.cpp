@@ -20,7 +20,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Takes a number and one of the given marks after it off the front of a text.
+/// Removes a number and the mark after it (one of those given) from the front of a text, and returns the number.
 std::optional<double> take_marked(std::string_view& text,
                                   std::initializer_list<std::string_view> marks) {
   for (const auto mark : marks) {
@@ -35,7 +35,7 @@ std::optional<double> take_marked(std::string_view& text,
 
 /// Reads degrees such as "42.86", "-73.77", "73.77W" or "157°52′12″W"; nothing for any other text.
 ///
-/// Given  senses  letters for the positive and the negative sense, such as "EW"
+/// Given  senses  letters for the positive and the negative direction, such as "EW"
 std::optional<double> degrees_in(std::string_view text, std::string_view senses) {
   text = algebra::without_spaces(text);
   const bool sensed = !text.empty() && senses.find(text.back()) != std::string_view::npos;
@@ -58,8 +58,8 @@ std::optional<double> degrees_in(std::string_view text, std::string_view senses)
   return (negative ? -1 : 1) * (*degrees + *minutes / 60 + *seconds / 3600);
 }
 
-/// Reads "42.86,-73.77,120", "42.86N, 73.77W" or "21°18′N 157°52′W": degrees north and east, and any further numbers;
-/// empty for any other text.
+/// Reads "42.86,-73.77,120", "42.86N, 73.77W" or "21°18′N 157°52′W": degrees north and east, and any numbers after
+/// them; empty for any other text.
 std::vector<double> place_numbers(const std::string& text) {
   auto separated = text;
   if (const auto north_ends = text.find_first_of("NS");
@@ -78,8 +78,8 @@ std::vector<double> place_numbers(const std::string& text) {
   return numbers;
 }
 
-/// The name with the most similar spelling, ignoring case and accents. The first letter is seldom wrong, so it counts
-/// as three. No name is longer than 64 letters.
+/// The name with the most similar spelling, ignoring case and accents. The first letter is rarely wrong, so an error
+/// in it counts as three. Only the first 64 letters are compared, because no name is longer.
 std::string name_like(std::string_view text, const std::vector<std::string>& names) {
   const auto wanted = almanac::plain_name(text.substr(0, 64));
   std::string nearest;
@@ -88,7 +88,7 @@ std::string name_like(std::string_view text, const std::vector<std::string>& nam
     const auto plain = almanac::plain_name(name);
     const std::size_t first = plain.substr(0, 1) == wanted.substr(0, 1) ? 0 : 2;
     const auto [shorter, longer] = std::minmax({plain.size(), wanted.size()});
-    if (longer - shorter + first >= least) continue;  // at least this many letters apart
+    if (longer - shorter + first >= least) continue;  // cannot be closer than the best so far
     if (const auto apart = request::letters_apart(wanted, plain) + first; apart < least)
       least = apart, nearest = name;
   }

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double km = 1e3;
 
-/// Range of the plot in whole decades: from below the darkest light shown to full sunlight.
+/// Range of the plot's vertical axis: from the decade below the darkest light shown to above full sunlight.
 std::pair<double, double> range_of(const ShadowProfile& profile) {
   double darkest = 1;
   for (const double ratio : profile.ratio.values())
@@ -51,7 +51,7 @@ std::vector<PlotCurve> curves(const ShadowProfile& profile) {
   return curves;
 }
 
-/// Rows of hours and a column's numbers; a row without a number interrupts the line.
+/// A curve for gnuplot: rows of the hour and the number at each moment. An empty row interrupts the line.
 std::string rows_of(const LightCurve& curve, const eclipse::Eclipse& eclipse,
                     const std::vector<double>& numbers) {
   std::string rows;
@@ -74,10 +74,10 @@ std::string plot_colour(double wavelength_nm) {
   double most = 0;
   for (int c = 0; c < 3; ++c) most = std::max(most, channels[c] = std::max(0., channels[c]));
   channels /= most;
-  constexpr double brightest = 0.25;  // brighter is hard to read on white (contrast 3.5 to 1)
+  constexpr double brightest = 0.25;  // brighter lines are hard to see on white (contrast 3.5 to 1)
   const double luminance =
       colour::luminance(linear_rec709, std::array{channels.x, channels.y, channels.z});
-  constexpr double well_seen = 0.1;  // relative to 555 nm: what the eye hardly sees is drawn darker
+  constexpr double well_seen = 0.1;  // relative to 555 nm; less visible light is drawn darker
   const double efficiency = weights(1, 0) / colour::luminous_efficacy_lm_per_W;
   channels *=
       std::min(1., brightest / luminance) * std::pow(std::min(1., efficiency / well_seen), 0.2);

@@ -13,44 +13,44 @@
 
 namespace coppermoon::uses {
 
-/// What a plot of the shadow shows besides its light.
+/// Title and marks of a plot of the shadow.
 struct ShadowMarks {
   std::string title;
-  double umbra_m, penumbra_m;         ///< radii of the shadow; the umbra's is ≤ 0 beyond its tip
+  double umbra_m, penumbra_m;         ///< radii; the umbra's is ≤ 0 beyond the tip of its cone
   std::optional<double> moon_m = {};  ///< distance of the Moon's centre from the axis
 };
 
-/// The edges of umbra and penumbra, and where the Moon stands.
+/// The radii of umbra and penumbra, and the Moon's distance from the axis of the shadow.
 ///
-/// Given  cut  one plane
-///        sky  at the moment of the plot, if it has one
-/// Source of the edges  eclipse::shadow_radii, Danjon's convention
+/// Given  cut  one plane across the shadow
+///        sky  at the moment of the plot; if absent, the Moon is not marked
+/// Source of the radii  eclipse::shadow_radii, Danjon's convention
 ShadowMarks marks_of(const shadow::Arrangement& cut, const std::optional<almanac::SkyState>& sky,
                      std::string title);
 
-/// Plots the ratio of irradiance to sunlight against distance from the axis, each wavelength in its own colour, with
-/// gnuplot.
+/// Plots, with gnuplot, the ratio of irradiance to full sunlight against the distance from the shadow's axis. Each
+/// wavelength has its own colour.
 ///
 /// Given   picture  ends in .png, .svg or .pdf
-/// Throws  Error    as write_plot
+/// Throws  Error    when write_plot does
 void write_shadow_plot(const std::filesystem::path& picture, const ShadowProfile& profile,
                        const ShadowMarks& marks);
 
-/// The colour in which a plot on white draws a wavelength, as sRGB "#rrggbb": the colour of its light to the CIE
-/// 1931 observer, as saturated as the display allows, and dark enough to be read.
+/// Colour for a wavelength in a plot on white, as sRGB "#rrggbb". It is the colour that the CIE 1931 observer sees, as
+/// saturated as the display allows, but dark enough to be readable.
 ///
 /// Given  wavelength_nm  380 to 780
 std::string plot_colour(double wavelength_nm);
 
 double hours_from_greatest(const eclipse::Eclipse& eclipse, const almanac::Instant& when);
 
-/// Plot against hours from the greatest eclipse, with the contacts marked, but no panels yet.
+/// A plot against the hours from greatest eclipse, with the contacts marked. Its panels have yet to be added.
 Plot plot_over(const eclipse::Eclipse& eclipse, const almanac::Instant& from,
                const almanac::Instant& to);
 
-/// Plot with a panel of magnitudes by band above one of illuminance; dashed lines show what the curve's place sees.
+/// A plot with two panels: magnitudes by band above, illuminance below. Dashed lines are for the observer's place.
 ///
-/// Given  place  of the curve, in words; empty if it has none
+/// Given  place  name of the observer's place; empty if the curve has no observer
 Plot plot_of(const LightCurve& curve, const eclipse::Eclipse& eclipse, const std::string& place);
 
 }  // namespace coppermoon::uses

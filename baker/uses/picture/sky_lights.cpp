@@ -25,24 +25,24 @@
 namespace coppermoon::uses {
 namespace {
 
-/// A cone of directions around a middle one.
+/// A cone of directions, given by its axis and the cosine of the angle between axis and edge.
 struct Cone {
-  glm::dvec3 middle;  ///< unit, GCRS axes
+  glm::dvec3 middle;  ///< unit vector, GCRS axes
   double cosine;
 
   bool holds(const glm::dvec3& direction) const { return glm::dot(direction, middle) >= cosine; }
 };
 
-/// A star or planet as seen without the air and the Moon: GCRS axes, from the observer's place.
+/// A star or planet as seen from the observer's place (GCRS axes), without refraction or extinction by the air.
 struct Source {
   glm::dvec3 direction;
   double magnitude, b_minus_v;
   double radius_rad = 0;
 };
 
-/// Stars and planets in part of the sky, down to a magnitude.
+/// Stars and planets within a cone, down to the faintest magnitude.
 ///
-/// Given  from_m  the observer's place, geocentric
+/// Given  from_m  the observer's geocentric position
 std::vector<Source> sources_in(const Cone& cone, double faintest, const almanac::SkyState& sky,
                                const glm::dvec3& from_m) {
   std::vector<almanac::Star> stars;
@@ -105,13 +105,13 @@ class Dome {
                        std::max(altitude(source.direction), atmosphere::lowest_true_altitude));
   }
 
-  /// Angle by which refraction raises a direction.
+  /// Angle by which refraction raises light from a direction.
   double lift_rad(const glm::dvec3& direction) const {
     const auto stands = altitude(direction);
     return algebra::in_radians(atmosphere::apparent_altitude(stands) - stands);
   }
 
-  /// Raises a direction towards the zenith by its refraction; lowered_as lowers it by that of another direction.
+  /// Moves a direction towards the zenith by its refraction. lowered_as moves one down by the refraction of another.
   glm::dvec3 raised(const glm::dvec3& direction) const {
     return turned(direction, direction, lift_rad(direction));
   }
@@ -128,7 +128,7 @@ class Dome {
   }
 
  private:
-  /// Turns a direction along the vertical circle of another one.
+  /// Turns a direction by an angle, in the vertical plane of another direction.
   glm::dvec3 turned(const glm::dvec3& direction, const glm::dvec3& other, double angle) const {
     const glm::dvec3 level = glm::cross(other, seen_.zenith);
     const double across = glm::length(level);
@@ -137,11 +137,11 @@ class Dome {
   }
 
   almanac::ObserverView seen_;
-  algebra::Angle lowest_;  ///< of lights that can be seen
+  algebra::Angle lowest_;  ///< lowest altitude of lights that can be seen
   StarLights lights_;
 };
 
-/// Cone around a frame's field, a degree wider, since refraction may raise a light by as much.
+/// Cone around a camera's field. It is a degree wider, because refraction may raise a light by that much.
 Cone cone_of(const povray_scenes::SceneCamera& camera, const almanac::SkyState& sky) {
   constexpr double margin = std::numbers::pi / 180;
   const double half_width = std::tan(algebra::in_radians(camera.horizontal_field) / 2),
@@ -151,7 +151,7 @@ Cone cone_of(const povray_scenes::SceneCamera& camera, const almanac::SkyState& 
   return {glm::transpose(sky.selenographic_from_gcrs) * line_of_sight(camera), std::cos(reach)};
 }
 
-/// Observes the stars, planets and sky of a view.
+/// Computes how the observer of a view sees the stars and planets.
 class Eye {
  public:
   Eye(const View& view, const almanac::SkyState& sky)
@@ -186,20 +186,20 @@ class Eye {
  private:
   const View& view_;
   const almanac::SkyState& sky_;
-  StarLights above_;  ///< as seen from space
+  StarLights above_;  ///< light as seen from space
   std::optional<Dome> dome_;
   glm::dvec3 from_m_{0, 0, 0}, moon_;
-  double limb_;  ///< sine of the Moon's radius
+  double limb_;  ///< sine of the Moon's angular radius
 };
 
-/// How a Gaussian is shared among the pixels along a line.
+/// The shares of a Gaussian that fall on successive pixels along a line.
 struct Spread {
   std::ptrdiff_t first = 0;
   std::vector<double> shares;
 };
 
 Spread spread_about(double place) {
-  constexpr double deviation_px = 0.6, reach_px = 4;  // 3e-11 of the light falls beyond
+  constexpr double deviation_px = 0.6, reach_px = 4;  // 3e-11 of the light falls beyond it
   const auto below = [&](double edge) {
     return 0.5 * std::erfc(-(edge - place) / (deviation_px * std::numbers::sqrt2));
   };
@@ -211,7 +211,7 @@ Spread spread_about(double place) {
   return spread;
 }
 
-/// Bands of 5 nm, the response of the V band in them, and the Sun's light through it.
+/// Spectral bands of 5 nm, the V filter's response in each of them, and the sunlight that passes this filter.
 struct StarBands : BroadBands {
   std::vector<double> v{};
   double solar_magnitude = photometric_bands()[V_band].solar_magnitude, sun_in_v = 0;

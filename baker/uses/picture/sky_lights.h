@@ -22,31 +22,31 @@ using povray_scenes::SkyLight;
 
 /// Stars and planets in front of a view's camera, except those that the Moon or the ground hides.
 ///
-/// Each is refracted according to its own altitude, relative to the Moon. A planet is a disc of points, of which the
-/// Moon may hide some.
+/// A frame shows the Moon at its place without air, so each light is moved by its own refraction less that of the Moon.
+/// A planet is a disc of points, some of which the Moon may hide.
 ///
-/// Returned  none if the view wants none
-/// Accuracy  places 0.1″ for stars, 0.1″ for planets; times of occultations some seconds, owing to the Moon's mountains
+/// Returned  none if the view is to be without stars
+/// Accuracy  places 0.1″ for stars and planets; times of occultations some seconds, because the Moon has mountains
 /// Omits     stars fainter than V = 9; the variability of stars; phases of planets and Saturn's rings
 /// Throws    Error  when a catalogue is damaged
 std::vector<SkyLight> sky_lights(const View& view, const almanac::SkyState& sky);
 
-/// Stars and planets for a scene: each planet is one disc. Those behind the Moon are included, since the scene hides
-/// them itself.
+/// Stars and planets for a scene, in which each planet is a single disc. Those behind the Moon are included, because
+/// the Moon in the scene hides them.
 std::vector<SkyLight> scene_lights(const View& view, const almanac::SkyState& sky);
 
 /// Adds lights to a frame, each as a Gaussian with a standard deviation of 0.6 pixel.
 ///
 /// Given     frame   scene-linear, linear Rec.709 [cd/m²], of the camera's size
-/// Returned  numbers rounded to half floats, like those of a frame, if they are below 65504
-/// Accuracy  luminance summed over solid angle gives the illuminance to 5e-4, apart from what falls outside the frame
+/// Returned  numbers rounded to half floats, as in a frame's file, if they are below 65504
+/// Accuracy  luminance summed over solid angle gives the illuminance to 5e-4, except for light outside the frame
 void add_lights(texture::Image& frame, const povray_scenes::SceneCamera& camera,
                 std::span<const SkyLight> lights);
 
-/// All stars and planets above a view's horizon, brightest first, whether or not the Moon hides them: down to
-/// V = 6.5 unless the view sets another limit.
+/// All stars and planets above a view's horizon, brightest first, including those that the Moon hides. They are as
+/// faint as V = 6.5, unless the view sets another limit.
 ///
-/// Given  view  with an observer
+/// Given  view  must have an observer
 /// Throws Error when a catalogue is damaged
 std::vector<povray_scenes::StarInSky> lights_over(const View& view, const almanac::SkyState& sky);
 
@@ -61,24 +61,24 @@ double star_temperature_k(double b_minus_v);
 /// Computes the light of stars, above an observer's air or through it.
 class StarLights {
  public:
-  /// Given  air       if absent, above the air
+  /// Given  air       if absent, the light is that above the air
   ///        response  as in colour::channel_weights
   explicit StarLights(const std::optional<atmosphere::ObserverAir>& air = {},
                       const std::string& response = {});
 
   /// Light of a star on a surface that faces it: linear Rec.709 [lux].
   ///
-  /// The spectrum is a black body's, scaled to the V magnitude relative to the Sun's (see photometric_bands): a white
+  /// The spectrum is a black body's, scaled to the V magnitude relative to the Sun's (see photometric_bands). A white
   /// star of V = 0 gives 2.6e-6 lux.
   ///
   /// Given     altitude  without refraction, as for transmittance_above
-  /// Accuracy  0.02 magnitude in luminance; colours as far as stars are black bodies
+  /// Accuracy  0.02 magnitude in luminance; colours are only as good as the assumption of a black body
   std::array<double, 3> lux(double magnitude, double b_minus_v,
                             algebra::Angle altitude = algebra::degrees(90)) const;
 
  private:
   algebra::Grid<double> channels_;                  ///< weights, [channel][band]
-  std::vector<atmosphere::VerticalDepths> depths_;  ///< [band]; if empty, above the air
+  std::vector<atmosphere::VerticalDepths> depths_;  ///< [band]; if empty, there is no air
 };
 
 }  // namespace coppermoon::uses

@@ -51,7 +51,7 @@ void clear_beside(Image& moon, const std::optional<povray_scenes::RenderWindow>&
         moon(r, c, colours) = 0;
 }
 
-/// The stars: the difference between the frame and the Moon, as both are stored.
+/// The light of the stars: the frame minus the Moon, both rounded as they are stored.
 Image stars_of(const LinearFrame& frame, ExrType type) {
   auto stars = frame.light;
   for (std::size_t i = 0; i < stars.values.size(); ++i) {
@@ -62,7 +62,7 @@ Image stars_of(const LinearFrame& frame, ExrType type) {
   return stars;
 }
 
-/// The frame as the sum of its stored parts.
+/// The frame as the sum of its stored parts: Moon, sky and stars.
 Image sum_of(const LinearFrame& frame, const Image& stars) {
   auto sum = stars;
   for (std::size_t i = 0; i < sum.values.size(); ++i)
@@ -84,8 +84,8 @@ Image positions(const Image& moon, const povray_scenes::SceneCamera& camera) {
   return image;
 }
 
-/// Part of a frame's file, made from an image that must outlive it. Blender tells parts apart only by the names of
-/// their channels, such as moon.R.
+/// Part of a frame's file. The image must outlive the part. Blender tells parts apart only by the names of their
+/// channels, such as moon.R.
 texture::Part part_of(const std::string& name, const Image& image,
                       const texture::ExrOptions& options) {
   texture::Layout layout{image.width, image.height, image.channels};
@@ -134,7 +134,7 @@ LinearFrame completed(Image rendered, const View& view, const almanac::SkyState&
 LinearFrame rendered(const LitScene& scene, bool passes, const algebra::Progress& progress) {
   const files::TemporaryFolder folder;
   std::vector<SkyLight> lights;
-  tbb::task_group beside;  // POV-Ray sleeps when it starts
+  tbb::task_group beside;  // finds the stars while POV-Ray starts, which needs no CPU
   beside.run([&] { lights = sky_lights(scene.view, scene.moon.sky); });
   constexpr const char* texture_file = "moon_lin_rec709.exr";
   texture::write_exr(folder.path() / texture_file, scene.texture.parts, scene.texture.attributes,

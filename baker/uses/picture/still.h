@@ -12,12 +12,12 @@ namespace coppermoon::uses {
 
 /// Scene-linear frame [cd/m²].
 struct LinearFrame {
-  texture::Image light;  ///< channels R, G, B: Moon and stars, and the sky unless there are passes
-  /// R, G, B, A: the Moon without stars, its colours multiplied by the share of the pixel in which it is seen; empty
-  /// unless passes are asked for
+  texture::Image light;  ///< R, G, B: Moon and stars, and, unless there are passes, the sky
+  /// R, G, B, A: the Moon without stars. A is the share of the pixel in which it is seen, and its colours are already
+  /// multiplied by A. Empty unless passes are requested.
   texture::Image moon = {};
   texture::Image sky =
-      {};  ///< with passes, R, G, B: light of the air over and around the Moon; empty if none
+      {};  ///< R, G, B: with passes, the sky's light in front of and around the Moon; else empty
 
   /// Moon, stars and sky together.
   texture::Image whole() const;
@@ -26,7 +26,7 @@ struct LinearFrame {
 /// Completes a frame from POV-Ray, linear Rec.709: adds stars, planets and the sky's light, and hides what is below the
 /// horizon.
 ///
-/// Given     rendered  with a channel A if passes are asked for
+/// Given     rendered  with a channel A if passes are requested
 /// Returned  without passes, numbers rounded to half floats
 LinearFrame completed(texture::Image rendered, const View& view, const almanac::SkyState& sky,
                       std::span<const SkyLight> lights, const FrameSky& air);
@@ -39,25 +39,25 @@ LinearFrame rendered(const LitScene& scene, bool passes = false,
                      const algebra::Progress& progress = {});
 
 /// Memory that a frame takes while it is rendered and developed [bytes]: 75 per pixel, measured at 3000 x 3000, and
-/// with a camera 128 more, for its glow.
+/// 128 more with a camera, for its glow.
 double frame_memory(std::size_t width, std::size_t height, bool through_camera = false);
 
 /// Converts a frame to another working space.
 LinearFrame in_space(const LinearFrame& frame, colour::WorkingSpace from, colour::WorkingSpace to);
 
-/// A frame's header: the texture's, with the exposure and what a development needs to know added.
+/// A frame's header: that of the texture, with the exposure and the facts needed for development (SeenFrame) added.
 texture::Attributes frame_header(const LitScene& scene, const Exposures& exposures);
 
 /// Writes a frame, as half floats unless a star is too bright for them.
 ///
-/// With passes the file has parts:
+/// With passes, the file has these parts:
 ///
-///     rgba      R, G, B, A: the frame, and the share of the pixel that the Moon covers, already multiplied into the
-///               Moon's colours; floats if there is a sky
-///     moon      moon.R and so on: the same without sky and stars
+///     rgba      R, G, B, A: the frame. A is the share of the pixel that the Moon covers, and the Moon's colours are
+///               already multiplied by A; floats if there is a sky
+///     moon      moon.R, moon.G, moon.B, moon.A: the same, without sky and stars
 ///     sky       sky.R, sky.G, sky.B, floats: the sky's light; left out if the sky is black
 ///     stars     stars.R, stars.G, stars.B, floats: rgba is exactly moon + sky + stars, added as floats in this order
-///     position  position.X, position.Y, position.Z, floats: place on the Moon in the pixel's middle, Moon-fixed (X to
+///     position  position.X, position.Y, position.Z, floats: point of the Moon in the pixel's middle, Moon-fixed (X to
 ///               longitude 0, Y to 90° east, Z north), in lunar radii; 0 outside the Moon
 ///
 /// Given  camera  of the frame; used only for passes

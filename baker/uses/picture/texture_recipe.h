@@ -9,21 +9,21 @@
 
 namespace coppermoon::uses {
 
-/// Recipe, in TOML, for a Moon's moment, ground and light.
+/// Recipe, in TOML, for the moment, the ground and the light of a Moon.
 ///
 /// Given  with_width  whether to include the width of the texture
-///        more        adds parameters, bound to fields that must outlive the making of the recipe
+///        more        adds further parameters; the fields they are bound to must outlive the call
 std::string recipe_of_light(const LitMoon& moon, bool with_width,
                             const std::function<void(request::Parameters&)>& more);
 
-/// Completes the recipe that a Moon was asked for with: adds the work planned for its light, if it has a shadow.
+/// The recipe with which a Moon was requested. The work planned for its light is added if there is a shadow on it.
 request::Recipe recipe_made(const request::Recipe& asked, const LitMoon& moon);
 
 /// The recipe with the width of a texture added [texels].
 request::Recipe with_width(const request::Recipe& recipe, std::size_t width);
 
-/// Recipe, in TOML, with which `coppermoon bake --recipe` bakes the same texels again. It lists the planned work
-/// setting by setting, so the texels are the same on any machine.
+/// Recipe, in TOML, with which `coppermoon bake --recipe` bakes the same texels again. It lists every setting of the
+/// planned work, so the texels are the same on any machine.
 ///
 /// Omits  the contents of the map (MoonRequest::albedo_map), which is only named (files::name_to_share)
 std::string texture_recipe(const LitMoon& moon, const TextureContent& content);

@@ -27,7 +27,7 @@ algebra::Angle limb_above_horizon(const almanac::Observer& observer,
   return seen.altitude + semidiameter(seen) - horizon_altitude(observer);
 }
 
-/// The name of a city if the place is that city's, otherwise numbers.
+/// Name of the city whose coordinates are those of the place; if there is none, the coordinates.
 std::string place_name(const almanac::Observer& observer) {
   const auto city = almanac::nearest_city(observer);
   const bool same = place_text(city.place) == place_text(observer);
@@ -43,8 +43,8 @@ void require_up(const almanac::ObserverView& seen, const almanac::Observer& obse
                   place_name(observer), below_deg, below_deg < 10 ? 1 : 0));
 }
 
-/// The Moon's altitude, but not below that of a light on the apparent horizon, where the model of the air ends. A high
-/// place may see the Moon lower.
+/// The Moon's altitude, but at least that of a light on the apparent horizon, where the model of the air ends. From a
+/// high place, the Moon may be seen lower.
 algebra::Angle altitude_in_air(const almanac::ObserverView& seen) {
   return std::max(seen.altitude, atmosphere::lowest_true_altitude);
 }
@@ -53,8 +53,8 @@ double flattening_of(const almanac::ObserverView& seen) {
   return atmosphere::refracted_flattening(altitude_in_air(seen), 2 * semidiameter(seen));
 }
 
-/// Field across the frame: as given, or else so that the shorter side takes in the largest possible Moon with some
-/// margin. That is 0.57 degrees wide, at its nearest and in the zenith.
+/// Field across the frame: as given, or else such that the shorter side spans 0.6 degrees. The largest possible Moon,
+/// at its nearest and in the zenith, is 0.57 degrees wide.
 algebra::Angle field_of(const ViewRequest& request) {
   if (request.field_deg) return algebra::degrees(*request.field_deg);
   if (request.focal_length_mm || request.sensor_width_mm) {
@@ -77,9 +77,9 @@ using almanac::Instant;
 
 constexpr double step_s = 1800;
 
-/// Height of the Moon's upper limb above the horizon [rad]; far from the horizon, by the quick theory of the Moon.
+/// Height of the Moon's upper limb above the horizon [rad]. Far from the horizon, the quicker lunar theory is used.
 double height(const almanac::Observer& place, const Instant& when) {
-  constexpr double far = 0.02;  // in 2000 BC the theories differ by a third of this
+  constexpr double far = 0.02;  // [rad]; in 2000 BC the theories differ by a third of this
   using enum almanac::LunarTheory;
   const auto by = [&](almanac::LunarTheory theory) {
     return algebra::in_radians(above_horizon(place, almanac::sky_at(when, theory)));
@@ -88,7 +88,7 @@ double height(const almanac::Observer& place, const Instant& when) {
   return std::abs(quick) > far ? quick : by(elp_2000_82b);
 }
 
-/// The moment between two others when the height is zero, by bisection to 0.02 s.
+/// The moonrise or moonset within an interval, when the height is zero. It is found to 0.02 s by bisection.
 Crossing crossing(const almanac::Observer& place, Instant from, double seconds) {
   const bool up = height(place, from) > 0;
   while (seconds > 0.02) {
@@ -103,7 +103,7 @@ Crossing crossing(const almanac::Observer& place, Instant from, double seconds) 
 /// rise and a set may lie within one step.
 std::vector<std::pair<double, double>> heights(const almanac::Observer& place, const Instant& from,
                                                double seconds) {
-  constexpr double grazing = 3e-3;  // largest rise within a step: (2π / a day · half a step)² / 2
+  constexpr double grazing = 3e-3;  // samples miss an extreme by at most (2π / day · step / 2)² / 2
   const auto steps = static_cast<int>(std::ceil(seconds / step_s));
   const double step = seconds / steps;
   const auto at = [&](double s) { return std::pair{s, height(place, almanac::later(from, s))}; };

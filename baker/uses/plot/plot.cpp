@@ -12,7 +12,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Quotes a text for gnuplot so that it can neither end the literal nor run a shell command.
+/// Quotes a text as a gnuplot string. Characters that could end the string or run a shell command are made harmless.
 std::string literal(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text)
@@ -38,7 +38,7 @@ constexpr std::array formats_of_plots{PlotFile{{".png", "plot"}, png_terminal},
                                       PlotFile{{".svg", "plot"}, svg_terminal},
                                       PlotFile{{".pdf", "plot"}, pdf_terminal}};
 
-/// Commands for axis `x` or `y`; unnumbered if another panel's numbers stand below.
+/// Gnuplot commands that set up the axis `x` or `y`. Its tics are left unnumbered if the panel below shows the numbers.
 std::string axis(char name, const PlotAxis& axis, bool numbered = true) {
   std::string script =
       fmt::format("set {0}label {1}\n{2} logscale {0}\n", name, literal(numbered ? axis.label : ""),
@@ -72,7 +72,7 @@ std::string mark(const PlotMark& mark) {
       at, mark.end, name, (mark.x + mark.end) / 2);
 }
 
-/// Data, followed by the command to plot them.
+/// Gnuplot script that defines the curves' data and plots them.
 std::string curves(const std::vector<PlotCurve>& curves) {
   std::string data, order = "plot ";
   for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -85,7 +85,7 @@ std::string curves(const std::vector<PlotCurve>& curves) {
   return data + order + "\n";
 }
 
-/// The whole script except terminal and output.
+/// The gnuplot script for a plot, except for the choice of terminal and output.
 std::string script(const Plot& plot) {
   std::string script = fmt::format(
       "set encoding utf8\nset datafile separator ','\nset grid {0}\nset key {1}\n"
@@ -118,7 +118,7 @@ void require_plot_ending(const std::filesystem::path& file, std::string_view wha
   files::format_of(file, allowed, what);
 }
 
-/// -d makes gnuplot ignore ~/.gnuplot. File names never enter the script, where one could be taken for a command.
+/// With -d, gnuplot ignores ~/.gnuplot. File names are kept out of the script, where they could be read as commands.
 void write_plot(const std::filesystem::path& file, const Plot& plot) {
   const auto& format = files::format_of(file, formats_of_plots, "a plot");
   const files::TemporaryFolder folder;

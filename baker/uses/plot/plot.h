@@ -13,28 +13,27 @@
 
 namespace coppermoon::uses {
 
-/// A horizontal or vertical axis of a plot.
 struct PlotAxis {
   std::string label{};
-  std::optional<std::pair<double, double>> range{};  ///< if absent, as the curves need
+  std::optional<std::pair<double, double>> range{};  ///< if absent, chosen to fit the curves
   bool logarithmic = false, reversed = false;
-  double tic_spacing = 0;  ///< 0: chosen by gnuplot
+  double tic_spacing = 0;  ///< if 0, gnuplot chooses it
   std::string unit{};      ///< written after the number at each tic
 };
 
-/// Data drawn in one style. Without rows it appears only in the key; without a title, only in the plot.
+/// Data drawn in one style. A curve without rows appears only in the key, and one without a title only in the plot.
 struct PlotCurve {
-  std::string rows;  ///< comma-separated columns; an empty row interrupts a line
-  std::string look;  ///< in gnuplot's words: "lines lw 2 lc rgb 'red'"
+  std::string rows;  ///< comma-separated columns; an empty row leaves a gap in the line
+  std::string look;  ///< gnuplot style such as "lines lw 2 lc rgb 'red'"
   std::string title{};
 };
 
-/// Something that is marked along the x axis.
+/// A labelled mark at a position on the x axis.
 struct PlotMark {
   enum Kind {
-    edge,     ///< dashed line with the name along it
-    instant,  ///< line through all panels with the name above
-    band      ///< shading up to `end` with the name at its foot
+    edge,     ///< dashed vertical line with the name written along it
+    instant,  ///< line through all panels, with the name above
+    band      ///< shading up to `end`, with the name at the bottom
   } kind;
   double x;
   std::string name;
@@ -48,35 +47,34 @@ struct PlotPanel {
 
 struct Plot {
   std::string title{};
-  int title_size = 12;              ///< points
-  int width = 1000, height = 640;   ///< pixels; 40 to a centimetre in PDF
+  int title_size = 12;              ///< [points]
+  int width = 1000, height = 640;   ///< [pixels]; in PDF, 40 pixels are 1 cm
   PlotAxis x{};                     ///< shared by all panels
-  std::vector<PlotPanel> panels{};  ///< one, or two above one another
+  std::vector<PlotPanel> panels{};  ///< one panel, or two stacked vertically
   std::vector<PlotMark> marks{};
-  std::string key = "off";      ///< its place in gnuplot's words: "top left"
-  std::string grid = "lt 0";    ///< its lines in gnuplot's words: dotted
-  double margin = 0;            ///< around the curves, as a share of the plot
-  double height_per_width = 0;  ///< of the panel; 0: as it fits
+  std::string key = "off";      ///< position in gnuplot's notation, such as "top left"
+  std::string grid = "lt 0";    ///< line style in gnuplot's notation; "lt 0" is dotted
+  double margin = 0;            ///< space around the curves, as a fraction of the plot
+  double height_per_width = 0;  ///< aspect ratio of a panel; 0 fills the space
 };
 
-/// A file format for plots.
 struct PlotFile : files::Ending {
-  std::string (*terminal)(const Plot& plot);  ///< gnuplot's terminal and its settings
+  std::string (*terminal)(const Plot& plot);  ///< returns gnuplot's terminal and its settings
 };
 
 /// All file formats for plots.
 std::span<const PlotFile> plot_files();
 
-/// Draws a plot with gnuplot. The file appears whole or not at all.
+/// Draws a plot with gnuplot. If drawing fails, no partial file is left behind.
 ///
-/// Given   file   with the ending of one of plot_files()
-/// Throws  Error  for another ending; when gnuplot is missing or fails
+/// Given   file   its ending is one of those in plot_files()
+/// Throws  Error  if the ending is another, or if gnuplot is missing or fails
 void write_plot(const std::filesystem::path& file, const Plot& plot);
 
-/// Refuses a file that is neither a plot nor, if that is allowed, a table.
+/// Checks that a file name has the ending of a plot or, if tables are allowed, of a table.
 ///
-/// Given   what   will be written, such as "a curve"
-/// Throws  Error  when the path has no ending of plot_files() nor, with `or_table`, .csv
+/// Given   what   what will be written, for the message, such as "a curve"
+/// Throws  Error  unless the ending is one of those in plot_files() or, with `or_table`, is .csv
 void require_plot_ending(const std::filesystem::path& file, std::string_view what, bool or_table);
 
 }  // namespace coppermoon::uses

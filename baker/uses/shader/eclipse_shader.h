@@ -13,37 +13,38 @@
 
 namespace coppermoon::uses {
 
-/// An eclipse, encoded as one small image and the formula that reads it.
+/// Data for an eclipse's shader: a small image of the light in the shadow, and the formula that reads the image.
 struct EclipseShader {
-  eclipse::Eclipse eclipse;                ///< its greatest phase is at a whole second
+  eclipse::Eclipse eclipse;                ///< with greatest eclipse at a whole second
   std::optional<almanac::Instant> moment;  ///< moment shown; if absent, the whole eclipse
   ShadowMotion motion;
   LightStrip strip;
   Formula formula;
 };
 
-/// Shader for an eclipse, or for one moment of it. A moment has one plane, through the middle of the Moon's near half.
+/// Makes the shader for a whole eclipse, or for one moment of it. For one moment, the light is computed in a single
+/// plane, which passes through the middle of the Moon's near half.
 ///
-/// Accuracy  a sunlit Moon times the light differs from a baked Moon by at most the strip's error, relative to the
-///           brightest channel, apart from the baked Moon's own error. In the umbra, add 1 % where the ground's colour
-///           is not the Moon's mean
+/// Accuracy  The light times the sunlit Moon differs from a baked Moon by at most the strip's error, relative to the
+///           brightest channel, plus the error of the baked Moon. In the umbra, add 1 % for ground whose colour is not
+///           the Moon's mean colour
 /// Throws    Error  as light_strip
 EclipseShader eclipse_shader(const eclipse::Eclipse& eclipse, const ShaderRequest& request,
                              const algebra::Progress& progress = {},
                              const std::optional<almanac::Instant>& moment = {});
 
-/// Writes a shader's strip as OpenEXR.
+/// Writes a shader's light strip as an OpenEXR file.
 ///
-/// Given  recipe  for the file's header; if empty, none is written
+/// Given  recipe  settings to record in the file's header; if empty, none are recorded
 void write_strip(const std::filesystem::path& file, const EclipseShader& shader,
                  const ShaderRequest& request, const std::string& recipe);
 
-/// Writes a shader's files into a folder: eclipse.exr, the strip; eclipse.osl, .glsl, .mtlx; eclipse.inc and
-/// eclipse.pov for POV-Ray; eclipse.json, the formula step by step with all facts, for other programs.
+/// Writes a shader's files into a folder. The light strip is eclipse.exr, and the shaders are eclipse.osl, .glsl and
+/// .mtlx, and eclipse.inc and eclipse.pov for POV-Ray. The formula's steps and all data are in eclipse.json.
 ///
-/// Given     recipe  for the strip's header
-/// Returned  names of the files
-/// Throws    Error   when a file in the folder is not one of ours, or cannot be written
+/// Given     recipe  settings to record in the strip's header
+/// Returned  names of the files written
+/// Throws    Error   if a file cannot be written, or would replace a file that was not made by coppermoon
 std::vector<std::string> write_shader(const std::filesystem::path& folder,
                                       const EclipseShader& shader, const ShaderRequest& request,
                                       const std::string& recipe);

@@ -12,7 +12,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// A value in an expression: a step of the formula, with the values that it is computed from.
+/// A node in an expression tree: a step of the formula together with its operands.
 class Value {
  public:
   Value(double x) : Value("constant", number_type, {}) { node_->step.constant = {x}; }
@@ -24,14 +24,14 @@ class Value {
 
   const std::string& type() const { return node_->step.type; }
 
-  /// Gives the step a name that expressions use to refer to it.
+  /// Gives the step a name, by which expressions in the shader refer to it.
   Value named(std::string name, std::string meaning = {}) const {
     node_->step.name = std::move(name);
     node_->step.meaning = std::move(meaning);
     return *this;
   }
 
-  /// All steps needed for this value, in order of evaluation.
+  /// All steps needed to compute this value, in order of evaluation.
   Formula formula() const {
     Formula steps;
     std::map<const Node*, std::size_t> places;
@@ -68,7 +68,7 @@ Value of_numbers(const char* operation, std::vector<Value> numbers) {
 }
 Value clamped(const Value& a) { return of_numbers("clamp", {a}); }
 
-/// Horner's scheme: c0 + t (c1 + t (c2 + …)).
+/// Evaluates a power series in t by Horner's scheme: c0 + t (c1 + t (c2 + …)).
 template <class Constant>
 Value polynomial(const Value& t, const std::vector<Constant>& coefficients) {
   Value sum = coefficients.back();
@@ -112,7 +112,7 @@ Formula shadow_formula(const ShadowMotion& motion, const LightStrip& strip) {
              rows = static_cast<double>(strip.roots.height);
   const auto along = ((stretch(0) + stretch(1) + stretch(2) + stretch(3) + 0.5) / columns)
                          .named("along", "place in the strip");
-  // 1e-9 because the arc tangent is undefined on the axis itself
+  // adding 1e-9 avoids atan2(0, 0), which is undefined
   const auto turns = (of_numbers("atan2", {to_east + 1e-9, to_north}) / (2 * std::numbers::pi))
                          .named("turns", "position angle");
   const auto around = (turns - of_numbers("floor", {turns})) * static_cast<double>(strip.sectors);

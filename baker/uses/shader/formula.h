@@ -15,25 +15,26 @@ namespace coppermoon::uses {
 inline constexpr const char *number_type = "float", *vector_type = "vector3",
                             *colour_type = "color3";
 
-/// One step of a formula: a value, computed as a MaterialX node would. Every shading language has the operations "add",
-/// "subtract", "multiply" (also a vector by a number), "divide", "min", "clamp" (to 0 to 1), "dotproduct", "normalize",
-/// "sqrt", "atan2" (of y and x, −π to π), "floor" and "mix" (of two values, by the share of the second). The others are
+/// One step of a formula. It computes one value, as a MaterialX node does. These operations exist in every shading
+/// language: "add", "subtract", "multiply" (also a vector by a number), "divide", "min", "clamp" (to the range 0 to 1),
+/// "dotproduct", "normalize", "sqrt", "atan2" (of y and x, −π to π), "floor", and "mix" (of two values, and the weight
+/// of the second). The remaining operations are
 ///
-///     "place"     input: vector to a point on the Moon in Moon-fixed axes, of any length
+///     "place"     input: vector of any length that points from the Moon's centre to the ground, in Moon-fixed axes
 ///     "time"      input: seconds from greatest eclipse
 ///     "constant"
-///     "image"     the strip at u and v, linearly interpolated; v is measured from the image's top
+///     "image"     the strip, linearly interpolated at u and v; v is measured from the image's top
 struct Step {
   std::string operation, type;
-  std::vector<std::size_t> operands{};  ///< earlier steps
-  std::array<double, 3> constant{};     ///< for "constant"; a number comes first
-  std::string name{}, meaning{};        ///< if empty, part of a larger expression
+  std::vector<std::size_t> operands{};  ///< indices of earlier steps
+  std::array<double, 3> constant{};     ///< for "constant"; a single number is in element 0
+  std::string name{}, meaning{};        ///< a step without a name becomes part of an expression
 };
 
-/// Steps, each after its operands; the last is the result.
+/// Steps in order of evaluation, each after its operands. The last step is the result.
 using Formula = std::vector<Step>;
 
-/// Formula for the ratio of light to full sunlight at a place on the Moon and a time. All shaders are written from it.
+/// Formula for light on the Moon relative to full sunlight, by place and time. All shaders are generated from it.
 Formula shadow_formula(const ShadowMotion& motion, const LightStrip& strip);
 
 }  // namespace coppermoon::uses

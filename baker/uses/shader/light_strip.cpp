@@ -13,23 +13,24 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Numbers of nodes inside the umbra, around the beginning of direct light, just outside it, and farther out. Where
-/// light changes steeply there are up to `most_times` as many nodes and rows.
+/// Numbers of columns in the strip's four stretches: deep in the umbra, around the edge where direct sunlight begins,
+/// just outside it, and farther out. Where light changes steeply, there are up to `most_times` as many.
 constexpr std::array fewest_stretches{180, 240, 80, 90};
 constexpr int most_times = 4;
 
-/// Errors of linear interpolation between texels, relative to the brightest channel. Up to `good_enough`, the texels
-/// suffice. Above it, columns or rows with an error above `between_nodes` are doubled.
+/// Limits on the error of linear interpolation between texels, relative to the brightest channel. If any error exceeds
+/// `good_enough`, the columns or rows whose error exceeds `between_nodes` are doubled.
 constexpr double good_enough = 6e-3, between_nodes = 4e-3;
 
 constexpr double rounding =
-    5e-4;  ///< relative error of the square of a value stored as a half float
+    5e-4;  ///< relative error of light whose square root is stored as a half float
 constexpr int usual_bands = 100;
 
-/// Ends of the stretches, relative to where direct light begins [m], which varies by less than 30 km around the Earth.
+/// Distances from the edge where direct sunlight begins to the ends of the strip's stretches [m]. Around the Earth, the
+/// edge's own distance from the axis varies by less than 30 km.
 constexpr double before_m = 320e3, about_m = 60e3, behind_m = 480e3;
 
-/// Axis distances at which refracted light is computed. They are denser where the light from high rays ends.
+/// Axis distances at which refracted light is computed [m]. They are closer together where light from high rays ends.
 std::vector<double> distances_to(double reach_m, double begins_m) {
   constexpr double spacing_m = 25e3, close_m = 5e3, from_m = 450e3;
   std::vector<double> distances{0};
@@ -41,7 +42,7 @@ std::vector<double> distances_to(double reach_m, double begins_m) {
 
 using Colour = std::array<double, 3>;
 
-/// Largest difference relative to the brightest channel of the exact light; 0 if the exact light is dark.
+/// Largest error in any channel, relative to the exact light's brightest channel, or 0 if that is practically black.
 double error_of(const Colour& found, const Colour& exact) {
   const double brightest = std::ranges::max(exact);
   if (brightest <= shadow::darkness_ratio) return 0;
@@ -51,7 +52,7 @@ double error_of(const Colour& found, const Colour& exact) {
   return worst / brightest;
 }
 
-/// Ratio of light to sunlight at any place, from which strips are filled.
+/// Light at any place in the shadow, relative to full sunlight.
 struct LightAtPlaces {
   const shadow::Lookup& lookup;
   Colour sunlight;
@@ -69,7 +70,7 @@ struct LightAtPlaces {
   }
 };
 
-/// Axis distance in the middle plane, at a fraction `part` of the way from one node to the next.
+/// Axis distance of a node in the middle plane [m], or of a point a fraction `part` of the way to the next node.
 double node_m(const LightStrip& strip, int node, double part = 0) {
   std::size_t s = 0;
   while (s + 1 < strip.stretches.size() && node >= strip.stretches[s]) node -= strip.stretches[s++];
@@ -81,7 +82,6 @@ double angle_rad(const LightStrip& strip, double row) {
   return 2 * std::numbers::pi * row / static_cast<double>(strip.sectors);
 }
 
-/// Fills a strip's image.
 void fill(LightStrip& strip, const LightAtPlaces& light) {
   const std::size_t rows = strip.sectors + 1;
   const auto columns = std::reduce(strip.stretches.begin(), strip.stretches.end()) + 1;
@@ -98,7 +98,7 @@ void fill(LightStrip& strip, const LightAtPlaces& light) {
   }
 }
 
-/// Light between a texel and its neighbours: the roots are interpolated linearly, then squared.
+/// Light between a texel and its neighbours, as a shader sees it: square roots are interpolated linearly, then squared.
 Colour light_between(const LightStrip& strip, std::size_t r, std::size_t c, double along,
                      double across) {
   const std::size_t right = along > 0 ? c + 1 : c, below = across > 0 ? r + 1 : r;
@@ -112,9 +112,9 @@ Colour light_between(const LightStrip& strip, std::size_t r, std::size_t c, doub
   return light;
 }
 
-/// Largest errors of linear interpolation between texels.
+/// Largest errors of linear interpolation between columns, between rows, and between both.
 struct BetweenTexels {
-  std::array<double, 4> columns{};  ///< by stretch
+  std::array<double, 4> columns{};  ///< one error for each stretch
   double rows = 0, both = 0;
 
   double most() const { return std::max({std::ranges::max(columns), rows, both}); }
@@ -129,7 +129,7 @@ BetweenTexels between_texels(const LightStrip& strip, const LightAtPlaces& light
     std::size_t c = 0;
     for (std::size_t s = 0; s < strip.stretches.size(); ++s)
       for (int i = 0; i < strip.stretches[s]; ++i, ++c) {
-        if (strip.roots(r, c, 0) == 0) continue;  // no light here yet
+        if (strip.roots(r, c, 0) == 0) continue;  // this texel is black
         const auto see = [&](double& most, double along, double across) {
           const double middle_m = node_m(strip, static_cast<int>(c), along);
           const auto exact =
@@ -138,7 +138,7 @@ BetweenTexels between_texels(const LightStrip& strip, const LightAtPlaces& light
           most = std::max(most, error_of(light_between(strip, r, c, along, across), exact));
         };
         see(worst.columns[s], 0.5, 0);
-        see(worst.columns[s], 0.25, 0);  // at a steep rise, the darker side errs most
+        see(worst.columns[s], 0.25, 0);  // on a steep rise the darker side has the largest error
         if (last_row) continue;
         see(worst.rows, 0, 0.5);
         see(worst.both, 0.5, 0.5);
@@ -147,12 +147,12 @@ BetweenTexels between_texels(const LightStrip& strip, const LightAtPlaces& light
   return worst;
 }
 
-/// Error of the light that fills a strip, at places between those where it was computed. It is compared with a finer
-/// quadrature of the same air, halfway between the planes.
+/// Largest error of the light from which a strip is filled, found by comparing it with a more accurate computation at
+/// points between the nodes, in the plane halfway between the nearest and the farthest.
 double error_found(const ShaderRequest& request, const almanac::SkyState& sky,
                    const LightStrip& strip, const LightAtPlaces& light,
                    const shadow::ChannelWeights& weights) {
-  constexpr std::array places{24, 24, 6, 4};  // per stretch
+  constexpr std::array places{24, 24, 6, 4};  // number of test points in each stretch
   constexpr double off_nodes = 0.381966;
   LightRequest exact;
   exact.air = request.light.air;
@@ -173,7 +173,7 @@ double error_found(const ShaderRequest& request, const almanac::SkyState& sky,
                         : usual_bands;
   const auto waves = wavelengths_nm(bands);
   const auto at_waves = at_wavelengths(weights, bands);
-  const std::size_t around = cut.air.regions.empty() ? 29 : 13;  // off the rows
+  const std::size_t around = cut.air.regions.empty() ? 29 : 13;  // angles between the rows
   const auto refracted =
       refracted_light(exact, cut.air, cut.arrangement, {waves, distances_m, around});
   const shadow::DirectLight direct(cut.air, cut.arrangement, waves);

@@ -9,17 +9,16 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Names of a node's inputs, for nodes whose inputs are not called in1 and in2.
+/// Input names of those MaterialX nodes whose inputs are not called in1 and in2.
 const std::map<std::string, std::vector<const char*>> input_names{
     {"clamp", {"in"}}, {"normalize", {"in"}},     {"sqrt", {"in"}},
     {"floor", {"in"}}, {"atan2", {"iny", "inx"}}, {"mix", {"bg", "fg", "mix"}}};
 
-/// MaterialX types and their names in USD.
 const std::map<std::string, const char*> usd_types{{"float", "float"},    {"vector2", "float2"},
                                                    {"vector3", "float3"}, {"color3", "color3f"},
                                                    {"string", "string"},  {"filename", "asset"}};
 
-/// Input of a node: a value, the output of a named node, or an input of the whole graph.
+/// An input of a node. It is connected to a constant value, to another node's output, or to an input of the graph.
 struct Input {
   enum class From { value, node, graph } from;
   std::string name, type, source;
@@ -36,9 +35,9 @@ std::string name_of(const Formula& formula, std::size_t step) {
   return name.empty() ? fmt::format("step_{}", step + 1) : name;
 }
 
-/// Nodes for a formula.
+/// Converts a formula into MaterialX nodes.
 ///
-/// Given  vector_format  format for the components of a constant vector
+/// Given  vector_format  format string for the three components of a constant vector
 std::vector<Node> nodes_of(const Formula& formula, const char* vector_format) {
   using enum Input::From;
   const auto input = [&](const char* name, std::size_t operand) -> Input {
@@ -61,7 +60,7 @@ std::vector<Node> nodes_of(const Formula& formula, const char* vector_format) {
       made.word = "position";
       made.inputs = {{value, "space", "string", "object"}};
     } else if (step.operation == "image") {
-      const auto v = name + "_v", uv = name + "_uv";  // v is counted from the image's bottom
+      const auto v = name + "_v", uv = name + "_uv";  // MaterialX measures v from the bottom
       nodes.push_back(
           {"subtract", v, "float", {{value, "in1", "float", "1"}, input("in2", step.operands[1])}});
       nodes.push_back(
@@ -127,7 +126,7 @@ UsdNodes usd_of(const Formula& formula, const std::string& scope, const std::str
         " = {} (\n                        colorSpace = \"data\"\n                    )", strip);
   };
   UsdNodes nodes;
-  // components are written in the order y, z, x
+  // vector components are written in the order y, z, x, because north is +Y in USD
   for (const auto& node : nodes_of(formula, "({1:.9g}, {2:.9g}, {0:.9g})")) {
     const auto& [word, name, type, inputs, meaning] = node;
     const bool scaled = word == "multiply" && inputs[0].type != inputs[1].type;

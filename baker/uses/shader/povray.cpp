@@ -13,7 +13,7 @@ namespace {
 
 double radii(double km) { return km / algebra::in_kilometres(almanac::lunar_radius); }
 
-/// A POV-Ray array of vectors: the coefficients of a power series.
+/// Declares a POV-Ray array of vectors that holds the coefficients of a power series.
 std::string series(const char* name, const std::vector<glm::dvec3>& coefficients) {
   std::vector<std::string> vectors;
   for (const auto& v : coefficients)
@@ -22,7 +22,7 @@ std::string series(const char* name, const std::vector<glm::dvec3>& coefficients
                      fmt::join(vectors, ",\n  "));
 }
 
-/// The Moon's motion in POV-Ray's axes, where y is north and z is 90 degrees east.
+/// POV-Ray declarations of the Moon's motion, with y to the Moon's north pole and z to longitude 90 degrees east.
 std::string motion_of(ShadowMotion motion) {
   std::vector<glm::dvec3> centre;
   for (std::size_t i = 0; i < motion.centre[0].size(); ++i)
@@ -33,7 +33,7 @@ std::string motion_of(ShadowMotion motion) {
          series("North", motion.axes[1]) + series("Away", motion.axes[2]);
 }
 
-/// Functions that read the strip, each with a single value.
+/// POV-Ray functions that look up the light strip. Each of them returns a single number.
 std::string reading_of(const LightStrip& strip) {
   std::vector<std::string> stretches;
   for (std::size_t s = 0; s < strip.stretches.size(); ++s) {
@@ -57,7 +57,8 @@ std::string reading_of(const LightStrip& strip) {
       strip.roots.height, radii(strip.nearest_km), thickness);
 }
 
-/// The text once for each channel: {0} stands for its name, {1} for its name in POV-Ray, {2} for a number.
+/// Repeats a text for red, green and blue. In it, {0} stands for the channel's capitalised name, {1} for its POV-Ray
+/// name, and {2} for the given number.
 std::string each_channel(const char* text, double number = 0) {
   std::string all;
   for (const auto& [name, channel] :

@@ -15,7 +15,8 @@ namespace {
 constexpr int coefficients = 5;
 constexpr double margin_s = 600;
 
-/// Place of the Moon's centre [lunar radii], then the rotation from Moon-fixed to east, north and anti-solar axes.
+/// Twelve numbers: the position of the Moon's centre in the shadow [lunar radii], and the 3 x 3 matrix that rotates
+/// Moon-fixed axes to east, north and away from the Sun.
 std::vector<double> moon_at(const almanac::Instant& when) {
   const auto sky = almanac::sky_at(when);
   const auto axis = eclipse::shadow_axis(sky);
@@ -27,7 +28,7 @@ std::vector<double> moon_at(const almanac::Instant& when) {
   return numbers;
 }
 
-/// Motion through the Moon's places at Chebyshev nodes.
+/// Fits power series to the Moon's positions and orientations, which are given at Chebyshev nodes in time.
 ShadowMotion motion_through(const std::vector<std::vector<double>>& moons, double half_s) {
   auto series = algebra::chebyshev_series(moons);
   for (auto& one : series) one = algebra::power_series(one);

@@ -9,28 +9,28 @@
 
 namespace coppermoon::uses {
 
-/// Motion of the Moon through the shadow, as power series in a time from −1 to 1:
+/// Motion of the Moon through the shadow, as power series in a scaled time t between −1 and 1:
 ///
 ///     t = seconds from greatest eclipse / half_s
 ///
-/// A place p on the Moon (Moon-fixed axes, unit sphere) is then at this place in the shadow, in lunar radii:
+/// A point p on the unit sphere in Moon-fixed axes has these coordinates in the shadow, in lunar radii:
 ///
 ///     east = centre_east + axes[0] · p,    north = centre_north + axes[1] · p,    depth = centre_depth + axes[2] · p
 ///
-/// The frame is that of eclipse::ShadowAxis.
+/// East, north and depth are the axes of eclipse::ShadowAxis.
 struct ShadowMotion {
-  double half_s = 0;                              ///< from greatest eclipse to either end
+  double half_s = 0;                              ///< half of the time span covered
   std::array<std::vector<double>, 3> centre{};    ///< [east, north, depth][power], lunar radii
   std::array<std::vector<glm::dvec3>, 3> axes{};  ///< [east, north, depth][power], unit vectors
-  double nearest = 0, farthest = 0;               ///< depth of the Moon's centre, lunar radii
+  double nearest = 0, farthest = 0;               ///< depths of the Moon's centre, lunar radii
 };
 
-/// Motion from ten minutes before the first contact to ten minutes after the last, or longer on one side.
+/// The Moon's motion from at least ten minutes before the first contact to at least ten minutes after the last.
 ///
 /// Accuracy  0.1 km on the Moon
 ShadowMotion shadow_motion(const eclipse::Eclipse& eclipse);
 
-/// The Moon at rest, at its place at one moment.
+/// A constant "motion" that holds the Moon where it is at the given moment.
 ShadowMotion held_at(const almanac::Instant& when);
 
 }  // namespace coppermoon::uses

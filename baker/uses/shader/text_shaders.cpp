@@ -9,14 +9,14 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Words of a language with expressions like C's. To add another such language, add another such row.
+/// Names and expressions of a shading language whose syntax is like C's. To support another one, add a Language.
 struct Language {
-  std::string vector, colour;                  ///< types
-  std::string time;                            ///< name of the input for time
-  std::map<std::string, const char*> words{};  ///< by operation
+  std::string vector, colour;                  ///< names of the types
+  std::string time;                            ///< name of the time parameter
+  std::map<std::string, const char*> words{};  ///< expression for each operation
 };
 
-/// Words that these languages have in common.
+/// Expressions for the operations that all these languages write alike.
 const std::map<std::string, const char*> common_words{
     {"place", "place"},
     {"add", "{} + {}"},
@@ -55,7 +55,7 @@ std::string literal(double number) {
   return text;
 }
 
-/// How tightly an expression binds, and how tightly an operand must bind.
+/// Precedence of an expression, from loosest to tightest. It decides where parentheses are needed.
 enum class Binding { sum, product, whole };
 
 Binding binding(const std::string& operation) {
@@ -63,12 +63,12 @@ Binding binding(const std::string& operation) {
   return operation == "multiply" || operation == "divide" ? Binding::product : Binding::whole;
 }
 
-/// Writer of a formula's steps as expressions.
+/// Writes a formula's steps as source code.
 struct ExpressionWriter {
   const Formula& formula;
   const Language& language;
 
-  /// An operand: its name, or its expression, in parentheses if needed.
+  /// Source text for an operand: its name if it has one, or else its expression, in parentheses if needed.
   std::string operand(std::size_t step, Binding needed) const {
     const auto& part = formula[step];
     if (part.operation == "time") return language.time;
@@ -105,7 +105,7 @@ struct ExpressionWriter {
     return fmt::vformat(words, operands);
   }
 
-  /// Named steps as lines of code, except for the inputs and the result.
+  /// Lines of code that assign the named steps to variables. The inputs and the result are left out.
   std::string lines() const {
     const std::map<std::string, std::string> types{
         {number_type, "float"}, {vector_type, language.vector}, {colour_type, language.colour}};
@@ -122,7 +122,7 @@ struct ExpressionWriter {
   std::string result() const { return expression(formula.size() - 1); }
 };
 
-/// Comment at the head of every shader.
+/// Comment at the head of a shader's source.
 std::string head_of(const ShaderHead& head, const Language& language) {
   return fmt::format(
       R"(// SPDX-License-Identifier: MIT

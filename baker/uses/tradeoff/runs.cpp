@@ -33,7 +33,7 @@ shadow::RefractedLight light_by(const Trial& trial, const Yardstick& yardstick,
   return shadow::by_photons(scene.air, scene.arrangement, waves, photon_settings(trial), progress);
 }
 
-/// A measure of work that computing time grows linearly with.
+/// A measure of a trial's work. Computing time grows linearly with it.
 double work_of(const Trial& trial) {
   return trial.photons / (trial.step_km > 0 ? trial.step_km : 1);
 }
@@ -44,7 +44,8 @@ bool differ_in_work_alone(Trial one, const Trial& other) {
   return one == other;
 }
 
-/// The largest trial so far with no more work and otherwise equal settings; nullptr for the quadrature.
+/// The measured trial that has the most work among those with no more work than `trial` and otherwise equal settings.
+/// nullptr if there is none, and always for the quadrature.
 const Measured* nearest_smaller(const Trial& trial, std::span<const Measured> made) {
   const Measured* nearest = nullptr;
   for (const auto& one : made)
@@ -55,7 +56,7 @@ const Measured* nearest_smaller(const Trial& trial, std::span<const Measured> ma
   return nearest;
 }
 
-/// A trial extrapolated from a smaller one, with errors scaled as N^(-1/2).
+/// A trial's results, extrapolated from those of a smaller trial. Errors scale as N^(-1/2) with N photons.
 Measured extrapolated(const Measured& from, const Trial& trial, double seconds) {
   Measured far = from;
   far.trial = trial;
@@ -69,7 +70,7 @@ Measured extrapolated(const Measured& from, const Trial& trial, double seconds) 
   return far;
 }
 
-/// Runs trials and keeps what they took.
+/// Runs trials, and keeps their times and errors.
 class Run {
  public:
   Run(const RunLimits& limits, Yardstick& yardstick) : limits_(limits), yardstick_(yardstick) {}
@@ -107,7 +108,7 @@ class Run {
     return {trial, {}, 0, seconds, yardstick_.errors_of(light, trial.photons > 0), false};
   }
 
-  /// The shortest time of several runs, at least three if the first is short [s].
+  /// The shortest time of several runs [s]. There are at least three runs if the first is short.
   double least_seconds(const Trial& trial, const std::function<void()>& run) const {
     double least = limits_.stopwatch(trial, run);
     const int repeat = least < limits_.short_s ? std::max(limits_.repeat, 3) : limits_.repeat;
@@ -122,8 +123,8 @@ class Run {
     return seconds;
   }
 
-  /// Expected time [s], on the line through the smallest and the largest timed trial with no more work and otherwise
-  /// equal settings. If the slope is lost in the intercept, larger trials are timed first.
+  /// Expected time for a trial [s]. It lies on a straight line through the times of the smallest and the largest trial
+  /// from least_and_most. If these times hardly differ, larger trials are timed first.
   double foretold_seconds(const Trial& trial) {
     constexpr double shows = 1.5, larger = 4;
     for (;;) {
@@ -145,7 +146,7 @@ class Run {
     double seconds;
   };
 
-  /// The timed trials with the least and the most work among those that differ from a trial only in work.
+  /// Of the timed trials with no more work than `trial` and otherwise equal settings, those with the least and most.
   std::pair<Timed, Timed> least_and_most(const Trial& trial) const {
     std::vector<Timed> alike;
     for (const auto& one : timed_)
@@ -156,7 +157,7 @@ class Run {
     return {least, most};
   }
 
-  /// Times the bake for each width, and compares the picture with that from the widest texture.
+  /// Times the baking of a texture of each width, and compares the picture with that from the widest texture.
   void make_textures(const Sweep& sweep) {
     constexpr std::size_t most_pixels = 1024;
     const auto light = light_by(sweep.middle, yardstick_, {});

@@ -14,17 +14,17 @@
 
 namespace coppermoon::uses {
 
-/// Time taken by a trial, and its errors.
+/// A trial with the time that it took, and its errors.
 struct Measured {
   Trial trial;
   std::string_view varied;  ///< name of the setting that the sweep varies
-  double value = 0;         ///< value of that setting
+  double value = 0;         ///< value of the varied setting
   double seconds = 0;
   LightErrors errors;
-  bool extrapolated = false;  ///< whether extrapolated from smaller trials
+  bool extrapolated = false;  ///< whether time and errors are extrapolated from smaller trials
 };
 
-/// Settings of a trial by their keys; nothing for a setting that the solver does not have.
+/// The settings of a trial by name. The value is empty for a setting that the solver does not have.
 algebra::ByName<std::optional<double>> settings_of(const Trial& trial);
 
 template <class Field>
@@ -53,25 +53,25 @@ using Stopwatch = std::function<double(const Trial& trial, const std::function<v
 /// A Stopwatch that uses the steady clock.
 double seconds_of(const Trial& trial, const std::function<void()>& run);
 
-/// Limits on the time of runs.
+/// Limits on how long trials may take, and how often they are repeated.
 struct RunLimits {
-  double longest_s = 20;  ///< longest run that is made
-  int repeat = 1;         ///< runs, of which the fastest counts; at least three if a run is short
-  double short_s = 1;     ///< time below which a run is short
+  double longest_s = 20;  ///< photon trials that would take longer are extrapolated
+  int repeat = 1;         ///< number of runs (the fastest counts); at least 3 if they are short
+  double short_s = 1;     ///< time below which a run counts as short
   Stopwatch stopwatch = seconds_of;
 };
 
-/// Limits for trials that take only seconds in total.
+/// Limits for a quick set of trials, which takes only seconds in total.
 inline const RunLimits quick_limits{.longest_s = 3, .short_s = 0.1};
 
 /// Runs every trial of the sweeps, in order.
 ///
-/// The time is the solver's, tables included. In a sweep of texture widths it is that of the bake, and the picture's
-/// error is relative to the widest texture. A photon trial that would exceed the limit is extrapolated from smaller
-/// trials that differ only in photons and step. Its time lies on a straight line in photons / step, whose intercept
-/// is the time for tables. Its errors scale as N^(-1/2).
+/// The time is that of the solver, including its tables. In the sweep of texture widths, it is the time for baking the
+/// texture, and the picture's error is relative to the widest texture. A photon trial that would take longer than the
+/// limit is extrapolated from smaller trials that differ only in photons and step. Its time is a constant for the
+/// tables, plus a part proportional to photons / step. Its errors scale as N^(-1/2) with N photons.
 ///
-/// Omits  the saturation of CIEDE2000 above 10 or so: values extrapolated from there are up to two times too small
+/// Omits  that CIEDE2000 saturates above 10 or so, where extrapolated values are up to two times too small
 std::vector<Measured> measured_trials(std::span<const Sweep> sweeps, Yardstick& yardstick,
                                       const RunLimits& limits,
                                       const algebra::Progress& progress = {});

@@ -11,14 +11,14 @@
 
 namespace coppermoon::uses {
 
-/// Largest number of replicas of a photon around the axis.
+/// Largest number of copies of a photon that can be spread around the axis of the shadow.
 inline constexpr double most_replicas = 1000;
 
-/// A solver and its settings; 0 for a setting that the solver does not have.
+/// A solver and its settings. Settings that the solver does not have are 0.
 struct Trial {
   plan::Solver solver = plan::Solver::quadrature;
   double photons = 0, step_km = 0, wavelengths = 200, rays = 0;
-  /// copies of each photon, spread evenly around the axis; light is gathered in 1000 / replicas sectors
+  /// Number of copies of each photon, spread evenly around the axis. Light is gathered in 1000 / replicas sectors.
   double replicas = 0;
   double texture_width = 512;
 
@@ -30,24 +30,23 @@ struct Sweep {
   Trial middle;
   std::string_view varied;
   double Trial::*setting;
-  std::vector<double> values;  ///< in order of increasing time
+  std::vector<double> values;  ///< in order of increasing computing time
 
   std::vector<Trial> trials() const;
 };
 
-/// Name of the setting in the sweep that times only the bake, with light from the quadrature.
+/// Name of the varied setting in the sweep that times only the baking of textures, in light from the quadrature.
 inline constexpr std::string_view texture_sweep = "texture width";
 
-/// Names of all solvers.
 std::vector<std::string> solver_names();
 
 /// Sweeps over every setting of every solver.
 ///
-/// Given  quick     use few and small values
-///        replicas  the most that the air allows: 1000 if it is symmetric about the axis, otherwise half as many
+/// Given  quick     whether to use few and small values
+///        replicas  largest number that the air allows: 1000 if it is symmetric about the axis, otherwise half of that
 std::vector<Sweep> sweeps(bool quick, double replicas);
 
-/// The sweeps that belong to some solvers.
+/// Those of the sweeps that belong to the given solvers.
 ///
 /// Given  solvers  names from solver_names(); if empty, all
 std::vector<Sweep> sweeps_of(std::span<const std::string> solvers, std::vector<Sweep> sweeps);

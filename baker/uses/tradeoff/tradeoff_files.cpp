@@ -10,14 +10,14 @@
 namespace coppermoon::uses {
 namespace {
 
-/// A number as text: from 10000 on in the form 1e4, smaller ones as they are.
+/// A number as text. Numbers from 10000 on are written in the form 1e4.
 std::string number(double value) {
   if (value < 1e4) return fmt::format("{:g}", value);
   const double power = std::floor(std::log10(value));
   return fmt::format("{:.3g}e{:g}", value / std::pow(10, power), power);
 }
 
-/// The solver's settings in words, except for the varied one.
+/// A trial's settings in words, except for the one that its sweep varies.
 std::string settings_in_words(const Measured& one) {
   std::string text;
   for (auto [name, value] : settings_of(one.trial)) {
@@ -32,7 +32,7 @@ std::string percent(double part) {
   return part < 1 ? fmt::format("{:.3g} %", 100 * part) : fmt::format("{:.0f} %", 100 * part);
 }
 
-/// Trials of the first sweep.
+/// The trials of the first sweep among all trials.
 std::span<const Measured> first_sweep(std::span<const Measured> all) {
   const auto end = std::ranges::find_if(all, [&](const Measured& one) {
     return one.varied != all[0].varied || one.trial.solver != all[0].trial.solver;
@@ -46,7 +46,7 @@ constexpr std::string_view colour_of(plan::Solver solver) {
   return colours[static_cast<std::size_t>(solver)];
 }
 
-/// Number of the filled symbol for a sweep. The matching open symbol is one less.
+/// gnuplot's number for the filled symbol of a sweep. The number of the matching open symbol is one less.
 int symbol_of(std::string_view varied) {
   constexpr std::array<std::string_view, 5> filled{"rays", "photons", "wavelengths", "replicas",
                                                    "step"};
@@ -60,7 +60,7 @@ bool is_the_papers(const Trial& trial) {
 
 using Which = bool (*)(const Measured&);
 
-/// Some of the trials as rows of seconds, error and value.
+/// The trials that `which` selects, as rows of seconds, error and value.
 std::string rows_of(std::span<const Measured> all, Which which) {
   std::string rows;
   for (const auto& one : all)

@@ -9,11 +9,11 @@
 
 namespace coppermoon::uses {
 
-/// Trials as a Markdown table, with the settings in one cell.
+/// A Markdown table with one row for each trial. One column lists the trial's settings.
 std::string as_markdown(std::span<const Measured> all);
 
 /// Plot of the error in the umbra against time, with a line for each sweep and a colour for each solver. Open symbols
-/// are extrapolated. A star marks the settings of Yapo and Cutler (2009).
+/// mark extrapolated trials, and a star marks the settings of Yapo and Cutler (2009).
 Plot as_plot(std::span<const Measured> all);
 
 }  // namespace coppermoon::uses

@@ -31,7 +31,7 @@ using algebra::Grid;
 
 constexpr double umbra_m = 4500e3;
 
-/// Luminance of sunlight, by wavelength.
+/// Luminance of sunlight in each of the bands.
 std::vector<double> luminance_of_sunlight(std::size_t bands) {
   const auto edges = band_edges_nm();
   const auto xyz = colour::xyz_weights(edges);
@@ -46,7 +46,7 @@ double weighted(std::span<const double> ratios, std::span<const double> weights)
   return std::inner_product(ratios.begin(), ratios.end(), weights.begin(), 0.);
 }
 
-/// Luminance of refracted light, (sector, place).
+/// Luminance of refracted light, by sector (rows) and place (columns).
 Grid<double> luminance_of(const shadow::RefractedLight& light) {
   const auto weights = luminance_of_sunlight(light.wavelengths_nm.size());
   Grid<double> luminance(light.sectors, light.axis_distances_m.size());
@@ -76,7 +76,7 @@ Grid<double> sum(Grid<double> a, const Grid<double>& b) {
   return a;
 }
 
-/// Mean of a field over one of `sectors` sectors, for each place, from four angles within the sector.
+/// Mean of a field over one of `sectors` sectors for each place, computed from four angles within the sector.
 std::vector<double> over_sector(const Grid<double>& field, std::size_t sector,
                                 std::size_t sectors) {
   constexpr int angles = 4;
@@ -108,7 +108,7 @@ class Errors {
   double squares_ = 0, area_ = 0, worst_ = 0;
 };
 
-/// Orthographic view of the disc from the Earth's centre, black around it.
+/// Orthographic view of the disc from the Earth's centre, on a black background.
 texture::Image seen_from_earth(const texture::Image& texture, const almanac::SkyState& sky,
                                std::size_t pixels) {
   const glm::dvec3 to_earth = almanac::selenographic_direction(sky.sub_earth);
@@ -132,11 +132,10 @@ texture::Image seen_from_earth(const texture::Image& texture, const almanac::Sky
   return seen;
 }
 
-/// Errors inside the umbra and outside it.
 struct ErrorsByZone {
   Errors umbra, penumbra;
 
-  /// Given  at_m  axis distance, which the area is proportional to
+  /// Given  at_m  distance from the axis, to which the area is proportional
   void add(double found, double expected, double at_m) {
     (at_m < umbra_m ? umbra : penumbra).add(found, expected, at_m);
   }

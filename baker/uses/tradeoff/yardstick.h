@@ -16,7 +16,7 @@
 
 namespace coppermoon::uses {
 
-/// Scene at one moment, with one plane of the shadow through the Moon's centre.
+/// A scene at one moment, in which the shadow is computed in a single plane through the Moon's centre.
 struct MeasuredScene {
   almanac::SkyState sky;
   atmosphere::Atmosphere air;
@@ -27,11 +27,11 @@ struct MeasuredScene {
 
 /// Makes the scene for one moment.
 ///
-/// Given   moon   whose air, limb darkening, map, photometry and texture width are used; the rest is ignored
+/// Given   moon   its air, limb darkening, map, photometry and texture width are used; the rest is ignored
 /// Throws  Error  when the air or the map is invalid
 MeasuredScene measured_scene(const MoonRequest& moon, const almanac::SkyState& sky);
 
-/// Settings for the reference light.
+/// Settings for computing the reference light.
 struct ReferenceSettings {
   int rays = 6000;
   std::size_t bands = 400;
@@ -39,11 +39,11 @@ struct ReferenceSettings {
   std::size_t texture_width = 512;
 };
 
-/// Settings for a reference that takes only seconds. Its error is at most a ninth of the error with 300 rays.
+/// Settings for a reference that takes only seconds. Its error is at most a ninth of the error that 300 rays have.
 constexpr ReferenceSettings quick_reference{1000, 200, 50e3, 256};
 
-/// Errors of irradiance relative to the reference's refracted and direct light at the same place: the root mean square
-/// over the area, and the largest.
+/// Errors in irradiance, relative to the reference's refracted and direct light at the same place: their root mean
+/// square over the area, and the largest.
 struct Spread {
   double rms = 0, worst = 0;
 };
@@ -53,48 +53,48 @@ struct PictureErrors {
   double mean = 0, percentile_99 = 0;
 };
 
-/// Errors of some light: in the umbra (within 4500 km of the axis), beyond it, and in the picture.
+/// Errors of light in the umbra (within 4500 km of the axis), in the penumbra (beyond that), and in the picture.
 struct LightErrors {
   Spread umbra, penumbra;
   PictureErrors picture;
 };
 
-/// Reference light for one scene. Measures the errors of other light relative to it.
+/// Reference light for one scene, relative to which the errors of other light are measured.
 ///
-/// Irradiance is weighted as luminance: the sum over bands of ȳ times sunlight times ratio. The quadrature's light is
-/// compared place by place. Light from photons is compared at the middles of their rings with the reference's mean over
-/// each sector. Pictures show the scene's Moon baked in the light, as seen from the Earth's centre, developed at the
-/// exposure that suits the reference.
+/// Irradiance is weighted as luminance, which is the sum over bands of ȳ times sunlight times the light's ratio to
+/// sunlight. Light from the quadrature is compared place by place. Light from photons is compared at the middles of
+/// its rings with the reference's mean over each sector. Pictures show the scene's Moon baked in the light, as seen
+/// from the Earth's centre, and are developed at the exposure that suits the reference.
 class Yardstick {
  public:
-  /// Computes the reference.
+  /// Computes the reference light.
   ///
   /// Throws  Error  when no light reaches the middle of the shadow
   Yardstick(MeasuredScene scene, const ReferenceSettings& settings,
             const algebra::Progress& progress = {});
 
-  /// The scene that the reference lights.
+  /// The scene for which the reference light was computed.
   const MeasuredScene& scene() const { return scene_; }
   /// Axis distances at which a quadrature should compute its light.
   const std::vector<double>& axis_distances_m() const { return distances_m_; }
 
-  /// Errors of some light.
+  /// Errors of the given light relative to the reference light.
   ///
-  /// Given  light     on the scene's plane, at axis_distances_m or in rings
+  /// Given  light     in the scene's plane, at axis_distances_m or in rings
   ///        in_rings  whether the light comes from photons
   LightErrors errors_of(const shadow::RefractedLight& light, bool in_rings);
 
   /// Texture of the scene's Moon in the given light, linear Rec.709 [cd/m²].
   texture::Image baked(const shadow::RefractedLight& light, std::size_t width) const;
 
-  /// Difference between the pictures that two textures give.
+  /// Difference between the pictures that two textures give, as seen from the Earth's centre.
   ///
-  /// Given  pixels  across the disc as seen from the Earth's centre; texels are interpolated bilinearly
+  /// Given  pixels  number of pixels across the disc; texels are interpolated bilinearly
   PictureErrors picture_errors(const texture::Image& reference, const texture::Image& other,
                                std::size_t pixels) const;
 
  private:
-  using Field = algebra::Grid<double>;  // (sector, place): luminance
+  using Field = algebra::Grid<double>;  // luminance by sector and place
 
   const Field& direct(std::size_t bands);
   LightErrors errors_at_places(const Field& refracted, const Field& clear) const;
@@ -105,7 +105,7 @@ class Yardstick {
   ReferenceSettings settings_;
   std::vector<double> distances_m_;
   std::size_t sectors_ = 1;
-  std::map<std::size_t, Field> direct_;  // by the number of bands
+  std::map<std::size_t, Field> direct_;  // for each number of bands
   Field total_;
   texture::Image texture_;
 };

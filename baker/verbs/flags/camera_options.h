@@ -6,10 +6,10 @@
 
 namespace coppermoon::verbs {
 
-/// Adds --raw and --photograph, which name the files to write for one photograph.
+/// Adds --raw and --photograph, with which the user names a raw file and a photograph to write.
 void add_camera_file_options(Verb& verb, uses::CameraRequest& request);
 
-/// Adds --space, the colour space of a scene-linear frame.
+/// Adds --space, which sets the colour space of a scene-linear frame.
 void add_frame_space_option(Verb& verb, colour::WorkingSpace& space);
 
 }  // namespace coppermoon::verbs

@@ -14,7 +14,7 @@
 
 namespace coppermoon::verbs {
 
-/// Adds --coding: how a photograph's numbers stand for light.
+/// Adds --coding, which says how a photograph's pixel values are converted to light.
 inline request::Parameter& add_coding_option(Verb& verb, texture::Coding& coding,
                                              const std::string& help) {
   using texture::coding_words;
@@ -22,7 +22,7 @@ inline request::Parameter& add_coding_option(Verb& verb, texture::Coding& coding
                                      {coding_words.begin(), coding_words.end()}, help);
 }
 
-/// Says which photographs from cameras are read as sRGB because their headers name a program that developed them.
+/// Reports on stderr each photograph that is read as sRGB because its header names a program that developed it.
 inline void warn_of_developers(const std::vector<std::string>& photos, texture::Coding told) {
   if (told != texture::Coding::as_file_says) return;
   for (const auto& photo : photos)

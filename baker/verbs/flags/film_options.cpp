@@ -32,13 +32,13 @@ struct ProductWord {
   bool uses::Products::*product;
 };
 
-/// Words that --make accepts.
+/// Words that --make accepts, and the products that they select.
 constexpr ProductWord product_words[]{
     {"light", &uses::Products::light},   {"scenes", &uses::Products::scenes},
     {"tx", &uses::Products::mipmapped},  {"textures", &uses::Products::textures},
     {"frames", &uses::Products::frames}, {"pictures", &uses::Products::pictures}};
 
-/// Number of seconds in a text such as "10", "10s" or "2min", as text.
+/// Converts a duration such as "10", "10s" or "2min" to a number of seconds, as text.
 std::string duration_as_seconds(const std::string& text) {
   const auto seconds =
       algebra::number_with_unit(text, {{"min", 60}, {"h", 3600}, {"s", 1}, {"", 1}});
@@ -98,7 +98,7 @@ void add_times(Verb& verb, FilmOptions& options) {
       .within(0, 1e6);
 }
 
-/// Moments in a list with commas.
+/// Reads a list of moments separated by commas.
 ///
 /// Throws  Error  if one of them cannot be read
 std::vector<Instant> moments_in(const std::string& text, const eclipse::Eclipse& eclipse,
@@ -175,9 +175,9 @@ void add_files_of_all(Verb& verb, FilmOptions& options) {
 
 constexpr double half_a_month_s = 15 * 86400.;
 
-/// Eclipse nearest to a moment, at most half a month away.
+/// The eclipse nearest to a moment.
 ///
-/// Throws  Error  if there is none; the message names the nearest
+/// Throws  Error  if it is more than 15 days away
 eclipse::Eclipse eclipse_near(const std::string& text, almanac::Calendar calendar) {
   const auto moment = almanac::instant_from_utc(text, calendar);
   auto nearest = eclipse::nearest_eclipse(moment, eclipse::ShadowConvention::danjon);
@@ -211,7 +211,7 @@ eclipse::Eclipse eclipse_of(const FilmOptions& options,
   for (const auto& text : {options.eclipse, options.from, options.to,
                            options.moments.substr(0, options.moments.find(','))})
     if (eclipse::begins_with_digit(text)) return eclipse_near(text, options.calendar);
-  if (!options.eclipse.empty()) almanac::instant_from_utc(options.eclipse);  // says what is allowed
+  if (!options.eclipse.empty()) almanac::instant_from_utc(options.eclipse);  // throws with advice
   throw algebra::Error(
       fmt::format("from {} to {} of which eclipse? Name a day near it, as 2018-07-27", options.from,
                   options.to));

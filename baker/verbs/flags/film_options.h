@@ -15,11 +15,11 @@
 
 namespace coppermoon::verbs {
 
-/// What the flags say about a film, apart from its Moon, its view and its pictures.
+/// Values of the flags for a film, except for those that concern its Moon, its view and the developing of its pictures.
 struct FilmOptions {
   std::string eclipse = {}, from = "P1", to = "P4";
   almanac::Calendar calendar = almanac::Calendar::gregorian;
-  std::string zone = {};  ///< time zone for times of day without an offset; empty: UTC
+  std::string zone = {};  ///< time zone for times without an offset; if empty, UTC
   std::optional<std::size_t> frames = {};
   uses::FrameRate fps = {};
   std::optional<double> time_scale = {}, duration_s = {};
@@ -33,53 +33,56 @@ struct FilmOptions {
   uses::FilmFiles files = {};
 };
 
-/// Adds the flags for the times of the frames, what to make of which frames, the mount, and the whole film's files.
+/// Adds the flags for the times of frames, the frames and products to make, the mount, and files of the whole film.
 void add_film_options(Verb& verb, FilmOptions& options);
 
-/// The eclipse on the day that the options name (uses::eclipse_of_day). If there is none on that day, takes the nearest
-/// within 15 days and says so on stderr. If no day is named, takes the eclipse nearest to the first moment with a date.
+/// The eclipse that the options mean. If they name a day, it is the eclipse on that day (uses::eclipse_of_day) or else
+/// the nearest within 15 days, which is then reported on stderr. If they name no day, it is the eclipse nearest to the
+/// first of the given moments that has a date, also within 15 days.
 ///
 /// Throws  Error  if there is no such eclipse, or neither a day nor a date is given
 eclipse::Eclipse eclipse_of(const FilmOptions& options,
                             const std::optional<almanac::Observer>& observer = {});
 
-/// Times of the film. "moonrise" and "moonset" stand for the begin and end of the time in which the observer's Moon is
-/// up (uses::while_up), between P1 and P4 or the other moment given.
+/// Times of the film that the options describe. A film from "moonrise" begins when the Moon is first up for the
+/// observer after P1; a film to "moonset" ends when the Moon is last up before P4 (uses::while_up).
 ///
 /// Throws  Error  as eclipse_of; if a moment cannot be read; for "moonrise" or "moonset" without an observer, or if the
 ///                Moon is never up
 uses::FilmTimes times_of(const FilmOptions& options, const uses::ViewRequest& view = {});
 
-/// Lets a film begin at moonrise if the observer's Moon rises after its begin, and end at moonset if it sets before its
-/// end, unless the user gave that begin or end. Changes the times and the recipe's parameters, and says so on stderr.
+/// Shortens a film to the time while the Moon is above the observer's horizon. A beginning or end that the user gave is
+/// kept. The times and the recipe's parameters are changed, and the change is reported on stderr.
 ///
-/// Throws  Error  if the Moon is below the horizon all the time
+/// Throws  Error  if the Moon is below the horizon during the whole film
 void keep_to_the_moon(uses::FilmTimes& times, request::Parameters& parameters,
                       const uses::ViewRequest& view);
 
-/// Products that --make lists ("light", "textures", "scenes" with their textures, "frames", "pictures"), with high
-/// dynamic range for pictures if asked for, and those that the files of the whole film need.
+/// Products that the options request: those that --make lists, pictures of high dynamic range if --hdr is set, and
+/// those from which the files of the whole film are made.
 ///
-/// Throws  Error  if one is unknown; if high dynamic range is asked for without pictures
+/// Throws  Error  if --make lists an unknown product; if high dynamic range is requested without pictures
 uses::Products products_of(const FilmOptions& options);
 
-/// Exposure times [s] at moments, from a list such as "P1:0.001,U2:4"; empty if the text is not such a list.
+/// Exposure times [s] at given moments, from a list such as "P1:0.001,U2:4". Empty if the text is not such a list.
 ///
 /// Throws  Error  if a moment or a time cannot be read, or the moments are not in order
 std::vector<std::pair<almanac::Instant, double>> time_keys_from(
     const std::string& text, const eclipse::Eclipse& eclipse,
     const uses::MomentContext& context = {});
 
-/// How the camera is held.
+/// How the camera is mounted, and where a fixed one points.
 ///
 /// Given   observed  whether there is an observer
-/// Throws  Error     for a fixed mount without an observer, or an aim that cannot be read or has no fixed mount
+/// Throws  Error     for a fixed mount without an observer, an aim without a fixed mount, or an aim that cannot be read
 uses::Mounting mounting_of(const FilmOptions& options, bool observed);
 
-/// Throws  Error  for the whole film's files as require_sound; if a shard asks for one of them
+/// Checks the options for files of the whole film.
+///
+/// Throws  Error  if they are requested for a single shard; as require_sound
 void require_whole_film(const FilmOptions& options);
 
-/// Products as --make spells them.
+/// Converts products to the text with which --make requests them.
 std::string make_text(const uses::Products& products);
 
 }  // namespace coppermoon::verbs

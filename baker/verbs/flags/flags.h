@@ -15,27 +15,27 @@
 
 namespace coppermoon::verbs {
 
-/// Error for a command line or a recipe that cannot be understood: exit status 2.
+/// Error in the use of the program, such as an unknown flag or recipe key. The program then exits with status 2.
 struct WrongUsage : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 struct Program;
 
-/// Documents that --json may print. Each is a function, because their fields are seldom needed.
+/// Functions that describe the documents that --json may print. They are called only when needed.
 using Documents = std::vector<result::Fields (*)()>;
 
 /// A command and its parameters.
 struct Verb {
   std::string name{}, help{};
   request::Parameters parameters{};
-  std::function<void()> run{};  ///< runs it once its parameters are set
-  Program* program = nullptr;   ///< its program; nullptr if it only reads a file's recipe
+  std::function<void()> run{};  ///< runs the command once its parameters are set
+  Program* program = nullptr;   ///< nullptr if the command only serves to read a recipe
   Documents documents{};
-  std::vector<std::string> typed{};  ///< names of parameters given on the command line itself
+  std::vector<std::string> typed{};  ///< parameters set on the command line, not by a recipe
 };
 
-/// The program: its commands, and the parameters common to all of them. Must not move, as parameters refer to it.
+/// The program, with its commands and the parameters common to all. It cannot be moved, because parameters refer to it.
 struct Program {
   std::deque<Verb> verbs;
   std::size_t threads = 0;
@@ -47,19 +47,17 @@ struct Program {
   Program& operator=(const Program&) = delete;
 };
 
-/// Command with this name; nullptr if there is none.
+/// Finds a command by its name; nullptr if there is none.
 Verb* find_verb(Program& program, std::string_view name);
 
-/// All parameters that a command accepts as flags: its own, then those common to all commands.
+/// All parameters that a command accepts as flags: first its own, then those that all commands share.
 std::vector<const request::Parameter*> flags_of(const Verb& verb);
 
-/// Parameter for a flag such as "output" or "-o"; nullptr if there is none.
+/// Finds a command's parameter by a flag such as "output" or "-o"; nullptr if there is none.
 request::Parameter* flag_of(Verb& verb, std::string_view flag);
 
-/// Adds a parameter.
 request::Parameter& add_flag(Verb& verb, request::Parameter parameter);
 
-/// Adds several parameters.
 void add_flags(Verb& verb, request::Parameters parameters);
 
 template <class Request>
@@ -69,7 +67,7 @@ void add_described(Verb& verb, Request& request) {
   add_flags(verb, std::move(parameters));
 }
 
-/// Adds the parameters that a function such as uses::describe_map describes for a request.
+/// Adds the parameters of a request that a function such as uses::describe_map selects and describes.
 template <class Request>
 void add_described(Verb& verb, Request& request,
                    void (*some)(request::Parameters&, std::type_identity_t<Request>&)) {
@@ -78,14 +76,14 @@ void add_described(Verb& verb, Request& request,
   add_flags(verb, std::move(parameters));
 }
 
-/// Adds a parameter bound to a value (request::parameter).
+/// Adds a parameter that sets a variable (request::parameter).
 template <typename Value>
 request::Parameter& add_flag(Verb& verb, const std::string& names, Value& value,
                              const std::string& help) {
   return add_flag(verb, request::parameter(names, value, help));
 }
 
-/// Adds a parameter whose text is read by a function, such as "2s" or "42.86,-73.77".
+/// Adds a parameter whose text, such as "2s" or "42.86,-73.77", is read by a function.
 ///
 /// Given  take  reads the text; throws algebra::Error if it cannot
 ///        text  the default as text, if there is one
@@ -104,31 +102,31 @@ request::Parameter& add_choice(Verb& verb, const std::string& names, Field& valu
 request::Parameter& add_switch(Verb& verb, const std::string& names, bool& value,
                                const std::string& help);
 
-/// Adds a flag without a value that concerns only this run, such as --json, and stays out of recipes.
+/// Adds a flag without a value, such as --json, that concerns only the present run and is not recorded in recipes.
 request::Parameter& add_run_switch(Verb& verb, const std::string& names, bool& value,
                                    const std::string& help);
 
-/// Adds --json, and records which documents it prints, for `coppermoon describe`.
+/// Adds --json. The documents that it may print are recorded for `coppermoon describe`.
 request::Parameter& add_json_switch(Verb& verb, bool& value, Documents documents,
                                     const std::string& help = "prints one JSON document");
 
-/// Returned  the new command, without parameters
+/// Adds a command to the program. It has no parameters yet.
 Verb& add_verb(Program& program, const std::string& name, const std::string& help);
 
-/// Adds --recipe, and sets what a command does once its parameters have their values.
+/// Adds --recipe to a command, and sets the function that runs the command once its parameters are set.
 void on_run(Verb& verb, std::function<void()> run);
 
-/// Says on stderr which options have no effect beside the others. From a recipe, which may hold all values, only those
-/// that differ from their defaults are reported.
+/// Reports on stderr which options have no effect in combination with the others. Options from a recipe are reported
+/// only if they differ from their defaults, because a recipe may hold all options.
 void say_what_has_no_effect(const Verb& verb);
 
-/// Whether the command line or a recipe gives a parameter.
+/// Whether a parameter was set, by the command line or by a recipe.
 bool is_given(const Verb& verb, std::string_view name);
 
-/// Whether the command line itself gives a parameter.
+/// Whether a parameter was set on the command line, not by a recipe.
 bool is_typed(const Verb& verb, std::string_view name);
 
-/// Recipe for a command's parameters, in TOML (request::recipe_of).
+/// Recipe in TOML that records a command's parameters (request::recipe_of).
 std::string recipe_of(const Verb& verb);
 
 }  // namespace coppermoon::verbs

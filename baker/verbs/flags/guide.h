@@ -7,23 +7,23 @@
 
 namespace coppermoon::verbs {
 
-/// What a newcomer to a command needs first.
+/// What a new user of a command needs to know first.
 struct Guide {
   std::string_view verb;
   std::vector<std::string_view> common;    ///< flags that --help lists, without dashes
-  std::vector<std::string_view> examples;  ///< command lines
+  std::vector<std::string_view> examples;  ///< example command lines
 };
 
-/// Commands for one kind of task, as the program's help lists them.
+/// A group of commands for one kind of task, under a heading in the program's help.
 struct GuideGroup {
   std::string_view heading;
   std::vector<Guide> guides;
 };
 
-/// Guides to all commands, each command once.
+/// Guides to all commands, in groups. Each command appears once.
 const std::vector<GuideGroup>& guides();
 
-/// The guide to a command; empty if the command has none.
+/// The guide to a command; if there is none, an empty guide.
 const Guide& guide_to(std::string_view verb);
 
 }  // namespace coppermoon::verbs

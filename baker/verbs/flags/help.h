@@ -8,30 +8,30 @@
 
 namespace coppermoon::verbs {
 
-/// A flag as help shows it.
+/// A flag as the help shows it.
 struct FlagText {
-  std::string name;   ///< "output", without dashes
-  std::string names;  ///< "-o, --output"
-  std::string value;  ///< "FILE"; empty if it takes no value
+  std::string name;   ///< name without dashes, such as "output"
+  std::string names;  ///< all spellings, such as "-o, --output"
+  std::string value;  ///< kind of value, such as "FILE"; empty if it takes none
   std::string text;   ///< meaning, allowed words and default
   std::string group;
   std::vector<std::string> words;  ///< allowed values, if they are words
   bool positional = false, required = false, many = false;
 };
 
-/// Flags of a command in the order of --help-all.
+/// The flags of a command, in the order in which --help-all lists them.
 std::vector<FlagText> flag_texts(const Verb& verb);
 
-/// Usage of a command: "still INSTANT -o FILE [options]".
+/// Usage line of a command, such as "still INSTANT -o FILE [options]".
 std::string usage_of(const Verb& verb);
 
-/// Text that --help prints for a command: its common flags (guide_to), and two examples.
+/// Text that --help prints for a command. It has the command's common flags (guide_to) and two examples.
 std::string short_help(const Verb& verb);
 
-/// Text that --help-all prints for a command: all its flags, by heading.
+/// Text that --help-all prints for a command. It has all flags, grouped under headings.
 std::string full_help(const Verb& verb);
 
-/// Text that --help prints for the program: its commands.
+/// Text that --help prints for the program. It lists the commands.
 std::string program_help(const Program& program);
 
 }  // namespace coppermoon::verbs

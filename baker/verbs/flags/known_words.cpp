@@ -8,7 +8,7 @@
 namespace coppermoon::verbs {
 namespace {
 
-/// One of our words, and the words that other programs use for it, separated by spaces.
+/// A flag or command of coppermoon, and the names that other programs use for it, separated by spaces.
 struct Meaning {
   std::string_view here, elsewhere;
 };
@@ -60,7 +60,7 @@ constexpr Meaning flags_elsewhere[] = {
     {"danjon", "danjon-scale red"},
 };
 
-/// Flags from earlier versions, and what to do instead.
+/// Flags of earlier versions that no longer exist, and advice on what to use instead.
 constexpr std::pair<std::string_view, std::string_view> flags_before[] = {
     {"precision", "photons are no longer marched; --tolerance says how exact light is to be"},
     {"trace", "the solver photons goes by a table, literal steps each photon as in the paper"},

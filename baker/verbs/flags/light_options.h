@@ -10,26 +10,26 @@
 
 namespace coppermoon::verbs {
 
-/// Fields that the flags for light fill in; `light_request` turns them into a request.
+/// Values of the flags for light, from which light_request makes a request.
 struct LightOptions {
   uses::LightRequest request;
   uses::Effort effort;
-  /// Returns the part of the recipe that photons depend on, once the command line is read
+  /// Returns the part of the recipe that photons depend on. To be called after the command line has been read.
   std::function<std::string()> key;
 };
 
-/// Adds all flags for light except those that share photons among runs.
+/// Adds all flags for light except --shard, --keep and --add, which share photons among runs.
 void add_light_options(Verb& verb, LightOptions& options);
 
-/// Adds --shard K/N, --keep FILE, --add FILE.
+/// Adds --shard, --keep and --add, with which several runs share the work of tracing photons.
 void add_photon_file_options(Verb& verb, LightOptions& options);
 
-/// Request that the flags for light describe. The quality "paper" sets several of its fields.
+/// Request for light that the flags describe. The quality "paper" sets several of its fields.
 ///
 /// Throws  Error  if the flags contradict one another
 uses::LightRequest light_request(const LightOptions& options);
 
-/// Says so on stderr if no air makes the eclipse as dark or as bright as --danjon asks.
+/// Warns on stderr if no air makes the eclipse as dark or as bright as --danjon requests.
 void say_unless_danjon_is_reached(const uses::Air& air, const almanac::SkyState& sky);
 
 }  // namespace coppermoon::verbs

@@ -11,31 +11,30 @@
 
 namespace coppermoon::verbs {
 
-/// Fields that the flags for a Moon fill in; `moon_request` turns them into a request.
+/// Values of the flags for the Moon, from which moon_request makes a request.
 struct MoonOptions {
   MomentOptions moment;
   uses::MoonRequest request;
   LightOptions light;
 };
 
-/// Adds the flags for the map and the ground. A map that seems to be turned by half a circle is reported on stderr.
+/// Adds the flags for the Moon's map and ground. A map that seems to be rotated by 180 degrees is reported on stderr.
 void add_map_options(Verb& verb, uses::MoonRequest& request);
 
 /// Adds all flags for the Moon at one moment.
 void add_moon_options(Verb& verb, MoonOptions& options);
 
-/// Adds the flags for the Moon in a film, which has neither a single moment nor files of photons.
+/// Adds the flags for the Moon in a film. They do not include flags for a single moment or for sharing photons.
 void add_film_moon_options(Verb& verb, MoonOptions& options);
 
-/// Request that the flags describe, including its light. A draft has half as many texels per pixel.
+/// Request for the Moon and its light that the flags describe. A draft has half as many texels per pixel.
 ///
 /// Throws  Error  as light_request
 uses::MoonRequest moon_request(const MoonOptions& options);
 
-/// Sky at the moment that the options give, as the observer means it. An eclipse is under way then, unless the Moon is
-/// unshadowed.
+/// Sky at the moment that the options mean for this observer.
 ///
-/// Throws  Error  if the text is not a moment, or no eclipse is under way
+/// Throws  Error  if the text is not a moment, or if no eclipse is under way although the Moon is not to be unshadowed
 almanac::SkyState eclipsed_sky(const MoonOptions& options,
                                const std::optional<almanac::Observer>& observer);
 

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using request::Kind;
 
-/// A file or folder, and the flag that names it.
+/// A file or folder that the command line names, and the flag that names it.
 struct NamedFile {
   std::string flag;
   fs::path path;
@@ -34,7 +34,7 @@ std::vector<NamedFile> files_of(const Verb& verb, Kind kind) {
   return files;
 }
 
-/// Path with its links followed, as far as that is possible.
+/// A path with its links resolved; if that fails, the path unchanged.
 fs::path place_of(const fs::path& path) {
   std::error_code failed;
   const auto place = files::place_of(path, failed);
@@ -51,7 +51,7 @@ bool stands_in(const fs::path& file, const fs::path& folder) {
   if (!fs::exists(file, failed)) return false;
   const auto path = place_of(file);
   auto above = place_of(folder);
-  if (above.filename().empty()) above = above.parent_path();  // for "film/" that does not exist yet
+  if (above.filename().empty()) above = above.parent_path();  // a missing folder keeps its slash
   return std::mismatch(above.begin(), above.end(), path.begin(), path.end()).first == above.end();
 }
 

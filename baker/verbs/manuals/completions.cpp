@@ -13,7 +13,7 @@
 namespace coppermoon::verbs {
 namespace {
 
-/// A command and its flags.
+/// A command of the program, its description, and its flags.
 struct Command {
   std::string name, text;
   std::vector<FlagText> flags;
@@ -25,7 +25,7 @@ std::vector<Command> commands_of(const Program& program) {
   return all;
 }
 
-/// Splits "-o, --output" into "-o" and "--output".
+/// All spellings of a flag: for example, "-o" and "--output".
 std::vector<std::string> spellings(const FlagText& flag) {
   std::string names = flag.names;
   std::erase(names, ',');
@@ -43,7 +43,7 @@ bool takes_files(const Command& command) {
   });
 }
 
-/// Start of a text, up to its first punctuation mark and short enough to stand beside an option.
+/// The beginning of a help text, up to its first punctuation mark, for display beside an option.
 std::string brief(const std::string& text) {
   auto end = text.size();
   for (const char* stop : {": ", "; ", ". ", " ("}) end = std::min(end, text.find(stop));

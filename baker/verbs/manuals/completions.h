@@ -7,7 +7,7 @@
 
 namespace coppermoon::verbs {
 
-/// Scripts with which a shell completes commands, options, the words that options accept, and files.
+/// Scripts with which bash, zsh and fish complete commands, options, the words that options accept, and file names.
 std::string bash_completion(const Program& program);
 std::string zsh_completion(const Program& program);
 std::string fish_completion(const Program& program);

@@ -5,11 +5,10 @@
 
 namespace coppermoon::verbs {
 
-/// Refuses two photographs that do not show the same scene, judging by their headers: if they differ in size or
-/// window, in colour space or units, by more than a minute in time, or if their recipes differ in more
-/// than exposure, noise and development.
+/// Checks by their headers that two photographs show the same scene. They must have the same size, window, colour space
+/// and unit. Their times may differ by a minute at most, and their recipes only in exposure, noise and development.
 ///
-/// Throws  Error  with both names, and what differs
+/// Throws  Error  with the names of both files and what differs, if they do not show the same scene
 void require_one_scene(const std::string& first, const std::string& other);
 
 }  // namespace coppermoon::verbs

@@ -26,14 +26,14 @@ namespace {
 using request::Kind, request::Parameter, request::Recipe, request::Setting, request::Texts;
 
 Recipe recipe_of_file(const std::string& path) {
-  constexpr std::size_t most_bytes = (1 << 20) + 1;  // one byte more than recipe_in allows
+  constexpr std::size_t most_bytes = (1 << 20) + 1;  // one more than recipe_in allows
   if (!holds_recipe(path)) return request::recipe_in(files::beginning_of(path, most_bytes), path);
   const auto text = texture::read_attribute(path, "coppermoon:recipe");
   if (!text) throw algebra::Error(fmt::format("{}: has no recipe in its header", path));
   return request::recipe_in(*text, path);
 }
 
-/// Names that a table in a command's recipes may hold. If `table` is empty, names allowed above all tables.
+/// Keys that a table may hold in a command's recipes. If `table` is empty, the keys that may stand above all tables.
 std::vector<std::string> names_in(const Verb& verb, const std::string& table) {
   if (table.empty()) return names_of(verb);
   std::vector<std::string> names;
@@ -42,21 +42,21 @@ std::vector<std::string> names_in(const Verb& verb, const std::string& table) {
   return names;
 }
 
-/// Whether a command has the parameter that a setting names, in the same table as in the recipe.
+/// Whether the command has a parameter with the name and table of this setting in a recipe.
 bool has(const Verb& verb, const Setting& setting) {
   return holds(names_in(verb, setting.table), setting.name);
 }
 
-/// Whether any command of the program has the setting's parameter: one recipe serves all commands.
+/// Whether any command of the program has this setting. If so, it is allowed, because all commands can share a recipe.
 bool is_anothers(const Verb& verb, const Setting& setting) {
   return verb.program != nullptr &&
          std::ranges::any_of(verb.program->verbs,
                              [&](const Verb& other) { return has(other, setting); });
 }
 
-/// Error for a key that does not exist in its table.
+/// Makes the error for a key that does not exist in its table.
 ///
-/// Given  known  keys that the table may hold, one or more
+/// Given  known  keys that the table may hold, at least one
 WrongUsage no_such_key(const Verb& verb, const std::string& where, const std::string& key,
                        const std::string& table, const std::vector<std::string>& known) {
   const bool above = table != verb.name && holds(names_of(verb), key);
@@ -79,7 +79,8 @@ WrongUsage unknown(const Verb& verb, const Setting& setting) {
   return no_such_key(verb, where, name, "[" + table + "]", known);
 }
 
-/// Refuses settings that say where files go or how a run proceeds, because a recipe may come from a stranger.
+/// Throws if a setting says which files to write or how to run. These are allowed only on the command line, because a
+/// recipe may come from a stranger.
 void require_no_output(Verb& verb, const Setting& setting) {
   const auto* parameter = flag_of(verb, setting.name);
   if (parameter != nullptr && parameter->affects == request::Affects::run)
@@ -88,9 +89,9 @@ void require_no_output(Verb& verb, const Setting& setting) {
                     is_written(parameter->kind) ? "where files go" : "how a run goes"));
 }
 
-/// Parameter to which a setting gives a value; nullptr if the command ignores the setting.
+/// The parameter that a setting sets; nullptr if the command ignores the setting.
 ///
-/// Given  lenient  ignores every setting that the command does not have: another command may have written the recipe
+/// Given  lenient  whether to ignore settings that the command lacks, because another command may have written them
 Parameter* heeded(Verb& verb, const Setting& setting, bool lenient) {
   auto* parameter = has(verb, setting) ? verb.parameters.find(setting.name) : nullptr;
   if (lenient) return parameter != nullptr && in_recipes(*parameter) ? parameter : nullptr;
@@ -99,7 +100,7 @@ Parameter* heeded(Verb& verb, const Setting& setting, bool lenient) {
   return parameter;
 }
 
-/// Parts of a value, spelt as for its flag: "cloud-cover=1,from-latitude=-90,to-latitude=0".
+/// Converts a value with parts to the text of its flag, such as "cloud-cover=1,from-latitude=-90,to-latitude=0".
 std::string text_of_parts(const Verb& verb, const Parameter& grouped, const Recipe& value) {
   std::vector<std::string> parts, known;
   for (const auto& part : *grouped.parts) known.push_back(part.name);
@@ -114,8 +115,8 @@ std::string text_of_parts(const Verb& verb, const Parameter& grouped, const Reci
   return fmt::format("{}", fmt::join(parts, ","));
 }
 
-/// Texts of a setting as its parameter expects them. `on` and `off` may be written true and false. A list becomes
-/// several values, or one value with commas.
+/// Converts the values of a setting to the texts that its parameter expects. In a recipe, true and false may stand for
+/// `on` and `off`. A list becomes several values or, if the parameter has only one, a value with commas.
 Texts texts_for(const Verb& verb, const Parameter& parameter, const Setting& setting) {
   if (!setting.parts.empty() && !parameter.parts)
     throw algebra::Error(
@@ -148,7 +149,7 @@ void take(const Verb& verb, Parameter& parameter, const Setting& setting,
   }
 }
 
-/// A frame of a film holds the recipe for all frames; turns that recipe into one for the frame in the file.
+/// Turns the recipe of a film, which is stored in the file of each frame, into a recipe for the frame in this file.
 Recipe of_frame(Verb& verb, const std::string& path, const Recipe& recipe) {
   const auto is_open = [&](const char* name) {
     return verb.parameters.find(name) != nullptr && !is_typed(verb, name);

@@ -9,23 +9,24 @@
 
 namespace coppermoon::verbs {
 
-/// Whether a file made by coppermoon holds its recipe, judging by its ending, or by its name in Stellarium's folder.
+/// Whether a file is of a kind that holds its recipe. This is judged by its ending or, in Stellarium's folder, its
+/// name.
 bool holds_recipe(const std::filesystem::path& path);
 
-/// Sets a command's parameters from a recipe, which is a TOML file or is stored in a file made by coppermoon. Values
-/// given on the command line itself take precedence. The table [atmosphere] holds parameters of the air, with
-/// --atmosphere itself as `model` and regions as [[atmosphere.region]]; [camera] likewise. Keys of other commands are
-/// ignored, so that one recipe serves all commands.
+/// Sets a command's parameters from a recipe. The recipe is a TOML file, or is stored in a file made by coppermoon.
+/// Values given on the command line take precedence. The table [atmosphere] holds the parameters of the air, with
+/// --atmosphere itself as `model`, and regions as [[atmosphere.region]]. The table [camera] is built in the same way.
+/// Keys that belong to other commands are ignored, so that all commands can use the same recipe.
 ///
-/// Throws    WrongUsage       for an unknown key, with the nearest known one, and for a value that is not one of the
-///                            words allowed: "<file>:<line>: …"
-///           algebra::Error   if the recipe cannot be read (request::recipe_in), or a value is not allowed:
+/// Throws    WrongUsage       for an unknown key, with the nearest known one, and for a word that is not allowed:
+///                            "<file>:<line>: …"
+///           algebra::Error   if the recipe cannot be read (request::recipe_in), or another value is not allowed:
 ///                            "<file>:<line>: …"
 void take_recipe(Verb& verb, const std::string& path);
 
-/// Says in one line on stderr if a file was made in the colours of a camera other than that of the response.
+/// Warns on stderr if a file was made with the response of another camera, so that its colours differ.
 ///
-/// Given  response  camera response of the photograph or picture; if absent, any camera will do
+/// Given  response  camera response that the file should have; if absent, any will do
 void warn_of_another_camera(const std::string& file, const std::optional<std::string>& response);
 
 }  // namespace coppermoon::verbs

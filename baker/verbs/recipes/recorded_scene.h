@@ -10,15 +10,15 @@
 
 namespace coppermoon::verbs {
 
-/// Lit scene that the flags describe, with its recipe in the texture's header. A progress bar shows how the computation
-/// of light proceeds.
+/// Computes the lit scene that the flags describe, with its recipe in the texture's header. A progress bar is shown
+/// while light is computed.
 ///
-/// Given   baking  receives the progress of the texture while its file is written
-/// Throws  Error  as moon_request, eclipsed_sky, uses::lit_scene
+/// Given   baking  receives the progress of writing the texture
+/// Throws  Error  as moon_request, eclipsed_sky and uses::lit_scene
 uses::LitScene lit_scene(const Verb& verb, const MoonOptions& moon, const uses::ViewRequest& view,
                          uses::Baking baking);
 
-/// Report on a file made from a scene.
+/// Report on a file that was made from a lit scene.
 Report report_of(const std::string& file, const uses::LitScene& scene, double seconds);
 
 }  // namespace coppermoon::verbs

@@ -21,17 +21,17 @@ namespace {
 namespace fs = std::filesystem;
 using request::Kind;
 
-/// Text in double quotes, as valid in YAML as in JSON.
+/// A text in double quotes, with escapes that are valid in both YAML and JSON.
 std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
 
-/// Path relative to a folder; nothing if it does not lie in that folder.
+/// A path relative to a folder; absent if the path is outside the folder.
 std::optional<std::string> path_within(const fs::path& folder, const fs::path& path) {
   const auto found = (fs::current_path() / path).lexically_normal().lexically_relative(folder);
   if (found.empty() || *found.begin() == "..") return std::nullopt;
   return found.string();
 }
 
-/// Name for a job's parameter: "ContactSheet" for the flag "contact-sheet".
+/// Name of the job parameter for a flag, such as "ContactSheet" for "contact-sheet".
 std::string parameter_name(const std::string& flag) {
   std::string name;
   bool begins = true;
@@ -42,8 +42,8 @@ std::string parameter_name(const std::string& flag) {
   return name;
 }
 
-/// Job parameter for a path. A farm may map paths, but a template may only name those in its own folder; any other path
-/// becomes a text.
+/// Definition of a job parameter for a path. A farm may map paths to other places, but a template may name only paths
+/// in its own folder, so any other path is given as a string.
 ///
 /// Given  kind  lines with the path's "objectType" and "dataFlow"
 std::string path_parameter(const std::string& name, std::string_view kind, const fs::path& folder,
@@ -54,7 +54,7 @@ std::string path_parameter(const std::string& name, std::string_view kind, const
                      quoted(within.value_or(path)), quoted(description));
 }
 
-/// Flags for the tasks, and the job's parameters for the files that these flags name.
+/// Flags for the commands in the job's tasks, and definitions of the job parameters for the files that they name.
 struct Flags {
   std::vector<std::string> of_shard, of_film;
   std::string parameters;
@@ -80,19 +80,21 @@ void add_word(Flags& flags, const request::Parameter& flag, const std::string& t
   flags.of_shard.push_back(word);
 }
 
-/// Whether a flag's text names a file or folder. In place of a file to read, there may be a word such as "built-in".
+/// Whether the text given for a flag names a file or folder. It may instead be a word such as "built-in".
 bool names_file(const request::Parameter& flag, const std::string& text) {
   return is_written(flag.kind) || (flag.kind == Kind::file_read && fs::exists(text));
 }
 
-/// Products that all tasks must make, if the files made by the last task need more than --make lists; else empty.
+/// Value of --make for all tasks if the last task needs more products than the user's --make lists; else empty.
 std::string added_products(const Verb& verb, const uses::Film& film) {
   const auto asked = make_text(products_of({.make = verb.parameters.find("make")->text()}));
   const auto all = make_text(film.products);
   return all == asked ? "" : all;
 }
 
-/// Given  make  replaces the value of --make, unless empty
+/// Collects the flags that were given, for use in the job's tasks.
+///
+/// Given  make  value that replaces the one of --make, unless empty
 Flags given_flags(const Verb& verb, const fs::path& folder, const std::string& make) {
   constexpr std::array of_the_run{"job", "recipe", "shard"};
   Flags flags;
@@ -114,7 +116,7 @@ Flags given_flags(const Verb& verb, const fs::path& folder, const std::string& m
   return flags;
 }
 
-/// Command for a step. GNU's env changes to the folder to which relative names refer, as in the film's record.
+/// The command that a step runs. GNU's env starts it in the folder to which relative file names refer.
 std::string action(const std::vector<std::string>& flags) {
   std::string text =
       "    script:\n      actions:\n        onRun:\n          command: env\n          args:\n";

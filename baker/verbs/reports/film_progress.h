@@ -14,7 +14,7 @@
 
 namespace coppermoon::verbs {
 
-/// Events while a film is made, which --json prints, each on a line.
+/// The event, printed by --json, that the light of a film is available.
 struct LightEvent {
   bool kept = false;
   double seconds = 0, error = 0;
@@ -87,7 +87,7 @@ void describe(Field&& is, const DoneEvent& done) {
 }
 
 /// Shows the progress of a film. On a terminal, a bar on stderr shows the number of frames, the rate and the time left.
-/// Otherwise there is one line per frame on stdout, or one JSON event per line.
+/// Otherwise, stdout receives a line for each frame or, with --json, a line of JSON for each event.
 class FilmProgress {
  public:
   FilmProgress(const uses::Film& film, std::size_t frames, bool json);
@@ -95,17 +95,17 @@ class FilmProgress {
   FilmProgress(const FilmProgress&) = delete;
   FilmProgress& operator=(const FilmProgress&) = delete;
 
-  /// Reports that the light is available, kept from an earlier run or made in this many seconds.
+  /// Reports that the light is available, either kept from an earlier run or computed in the given time.
   void light(bool kept, double seconds) const;
 
-  /// Reports that a frame from an earlier run is kept.
+  /// Reports that a frame exists from an earlier run and is kept.
   void kept(std::size_t frame);
   void made(const uses::MadeFrame& frame);
 
-  /// Reports that a file of the whole film has been written.
+  /// Reports that a file that belongs to the whole film has been written.
   void file(const std::filesystem::path& path);
 
-  /// Reports that the film is done.
+  /// Reports that the film is complete.
   void done() const;
 
  private:

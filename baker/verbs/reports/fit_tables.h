@@ -7,14 +7,14 @@
 
 namespace coppermoon::verbs {
 
-/// Prints what a fit found: photographs, unknowns, cameras, and the flags with which to bake it.
+/// Prints the results of a fit: photographs, air, cameras, and the flags that give this air to other commands.
 void print_fit(const uses::FitReport& found);
 
-/// Prints how photographs and channels differ from what the fitted air predicts; nothing without photographs.
+/// Prints how the light of each photograph and channel differs from the fitted air. Prints nothing without photographs.
 void print_misfits(const uses::FitReport& found);
 
-/// One-line message for a fit whose air explains nothing: χ², the photograph and channel with the largest misfit, and
-/// what to try.
+/// One-line message for a fit in which no air explains the data. It states χ², the photograph and channel with the
+/// largest misfit, and what to try.
 std::string misfit_in_words(const uses::FitReport& found);
 
 }  // namespace coppermoon::verbs

@@ -11,7 +11,7 @@
 namespace coppermoon::verbs {
 namespace {
 
-/// Number to so many significant digits, without an exponent.
+/// A number rounded to the given number of significant digits, without an exponent.
 std::string plain(double number, int digits) {
   const double rounded = std::stod(fmt::format("{:.{}e}", number, digits - 1));
   if (rounded == 0) return "0";
@@ -22,7 +22,7 @@ std::string plain(double number, int digits) {
   return text;
 }
 
-/// Number to two significant digits: "1200", "0.31".
+/// A number rounded to two significant digits, such as "1200" or "0.31".
 std::string two_digits(double number) { return plain(number, 2); }
 
 }  // namespace
@@ -79,7 +79,7 @@ std::string in_words(const colour::ToneCurve& curve) {
 }
 
 std::string doubt_of(const colour::ToneCurve& curve) {
-  constexpr double most_deviations = 4;  // exceeded by one camera in ten thousand
+  constexpr double most_deviations = 4;  // only one camera in ten thousand exceeds it
   double most = 0;
   for (const double number : components_of(curve))
     if (std::abs(number) > std::abs(most)) most = number;

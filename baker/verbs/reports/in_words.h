@@ -11,43 +11,42 @@
 
 namespace coppermoon::verbs {
 
-/// Relative error in words: "within 0.3 %", or "wrong by more than the light itself" above 1.
+/// A relative error in words, such as "within 0.3 %" or, if it exceeds 1, "wrong by more than the light itself".
 std::string within(double relative_error);
 
-/// Fraction in percent, to two digits: "0.3 %".
+/// A fraction in per cent, rounded to two digits, such as "0.3 %".
 std::string in_percent(double share);
 
-/// Number to three digits, without an exponent: "5180", "0.0123".
+/// A number rounded to three significant digits, without an exponent, such as "5180" or "0.0123".
 std::string three_digits(double number);
 
-/// Duration in the unit that people would use: "1.2 s", "14 min", "3 h", "1.3 years".
+/// A duration in the unit that people would use, such as "1.2 s", "14 min", "3 h" or "1.3 years".
 std::string duration(double seconds);
 
-/// Exposure time as cameras show it: "1/3200 s", "0.5 s", "4 s".
+/// An exposure time as cameras show it, such as "1/3200 s", "0.5 s" or "4 s".
 std::string exposure_in_words(double seconds);
 
-/// Exposure times of a picture; for a composite "1/500 s and 4 s".
+/// Exposure time of a picture, or both exposure times of a composite, such as "1/500 s and 4 s".
 std::string exposure_in_words(const uses::Exposures& exposures);
 
-/// One-line warning that the sky outshines the Moon.
+/// One-line warning that the sky is brighter than the Moon.
 ///
 /// Given  sky_over_moon  ratio of the sky's luminance to the Moon's
 std::string bright_sky_in_words(double sky_over_moon);
 
-/// One line saying that the Moon cannot be seen against its sky, and from or until when it can; nothing if it can be
-/// seen.
+/// One-line message that the sky hides the Moon, and from or until when it can be seen; absent if it can be seen now.
 ///
-/// Given  night  must include the times at which the Moon is seen (uses::as_seen)
+/// Given  night  must include the times for which the Moon is seen (uses::as_seen)
 std::optional<std::string> unseen_in_words(const uses::Circumstances& night,
                                            const almanac::Instant& when);
 
-/// How a camera's tone curve differs from the mean one: "+0.40, +0.13, +0.23 standard deviations of cameras".
+/// How a tone curve differs from the mean of cameras, in words: "+0.40, +0.13, +0.23 standard deviations of cameras".
 std::string in_words(const colour::ToneCurve& curve);
 
-/// Warning about a tone curve unlike that of any camera; empty for a plausible one.
+/// Warning that a fitted tone curve is unlike that of any camera; empty if the curve is plausible.
 std::string doubt_of(const colour::ToneCurve& curve);
 
-/// How a tone curve differs from the mean one, per component [standard deviations].
+/// The principal components by which a tone curve differs from the mean of cameras [standard deviations].
 std::vector<double> components_of(const colour::ToneCurve& curve);
 
 }  // namespace coppermoon::verbs

@@ -19,8 +19,8 @@ std::size_t length_told_by(unsigned char first) {
   return first >= 0xF0 && first <= 0xF4 ? 4 : 0;
 }
 
-/// Whether the second byte is allowed after the first. It reveals overlong encodings, surrogates and anything above
-/// U+10FFFF.
+/// Whether UTF-8 allows the second byte of a character after the first. It does not in overlong encodings, surrogates
+/// and characters above U+10FFFF.
 bool second_allowed(unsigned char first, unsigned char second) {
   if (first == 0xE0) return second >= 0xA0;
   if (first == 0xED) return second <= 0x9F;
@@ -28,7 +28,7 @@ bool second_allowed(unsigned char first, unsigned char second) {
   return first != 0xF4 || second <= 0x8F;
 }
 
-/// Length of the character at the start of a text [bytes]; 0 if the text does not start with valid UTF-8.
+/// Length of the first character of a text [bytes]; 0 if the text does not begin with valid UTF-8.
 std::size_t character_length(std::string_view text) {
   const std::size_t length = length_told_by(byte(text, 0));
   if (length > text.size()) return 0;
@@ -37,7 +37,7 @@ std::size_t character_length(std::string_view text) {
   return length < 2 || second_allowed(byte(text, 0), byte(text, 1)) ? length : 0;
 }
 
-/// Whether a character is in U+0000 to U+001F or U+007F to U+009F: terminals take some of these for commands.
+/// Whether a character lies in U+0000 to U+001F or U+007F to U+009F. Terminals treat some of these as commands.
 bool is_control(std::string_view character) {
   const auto first = byte(character, 0);
   return first < ' ' || first == 0x7F || (first == 0xC2 && byte(character, 1) < 0xA0);

@@ -11,7 +11,7 @@
 
 namespace coppermoon::verbs {
 
-/// Shows a progress bar on stderr during its lifetime, but only on a terminal and only after a second.
+/// Progress bar on stderr that exists as long as this object. It appears only on a terminal, and only after a second.
 class ProgressBar {
  public:
   explicit ProgressBar(std::string what);
@@ -19,7 +19,7 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// Callback for a function that reports its progress. Must not outlive the bar.
+  /// Callback to pass to a function that reports its progress. It must not outlive the bar.
   algebra::Progress progress();
 
  private:
@@ -31,12 +31,12 @@ class ProgressBar {
   std::mutex mutex_;
 };
 
-/// During its lifetime, prints lines on stderr that a command is at work: after ten seconds and then once a minute.
-/// Prints nothing on a terminal.
+/// Prints on stderr that a command is still at work, as long as this object exists: first after ten seconds, then once
+/// a minute. Prints nothing on a terminal.
 class AtWork {
  public:
-  /// Given  first   wait before the first line
-  ///        others  wait between later lines
+  /// Given  first   time until the first line is printed
+  ///        others  time between later lines
   explicit AtWork(std::string command, std::chrono::milliseconds first = std::chrono::seconds(10),
                   std::chrono::milliseconds others = std::chrono::minutes(1));
   ~AtWork();
@@ -44,7 +44,7 @@ class AtWork {
   AtWork& operator=(const AtWork&) = delete;
 
  private:
-  /// Allocates no memory before there is something to print: a thread's first allocation reserves 64 MB of addresses.
+  /// Runs in the thread. Allocates no memory before it prints, because a thread's first allocation reserves 64 MB.
   void say(std::chrono::milliseconds first, std::chrono::milliseconds others);
 
   std::string command_;

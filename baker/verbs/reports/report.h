@@ -12,10 +12,10 @@
 
 namespace coppermoon::verbs {
 
-/// A recipe in TOML as a JSON object.
+/// Converts a recipe from TOML to a JSON object.
 nlohmann::ordered_json as_json(const std::string& recipe);
 
-/// Describes the files that a command made: as `file` if there is one, as `files` if there are several.
+/// Describes the files that a command made, under the key `file` if there is one, else under `files`.
 template <class Field>
 void describe_files(Field&& is, const std::vector<std::string>& files) {
   const bool one = files.size() == 1;
@@ -25,7 +25,7 @@ void describe_files(Field&& is, const std::vector<std::string>& files) {
      "the files, where there are several");
 }
 
-/// Report by a command that made files.
+/// What a command reports about the files that it made.
 struct Report {
   std::vector<std::string> files;
   std::string recipe;
@@ -44,7 +44,7 @@ void describe(Field&& is, const Report& made) {
   is("reached", plan::Cost{made.seconds, made.relative_error}, "what was reached");
 }
 
-/// A file that was made for one moment, with its figures.
+/// A file that was made for one moment, with some numbers that describe what it shows.
 template <class Figures>
 struct MadeOf {
   std::string file;
@@ -60,10 +60,10 @@ void describe(Field&& is, const MadeOf<Figures>& made) {
   describe(is, made.figures);
 }
 
-/// Seconds since a time.
+/// Time that has passed since `start` [s].
 double seconds_since(std::chrono::steady_clock::time_point start);
 
-/// Prints a report on stdout, as one line or as a JSON document.
+/// Prints a report on stdout, either as one line or as a JSON document.
 void report(const Report& made, bool json);
 
 }  // namespace coppermoon::verbs

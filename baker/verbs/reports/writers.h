@@ -17,17 +17,17 @@
 
 namespace coppermoon::verbs {
 
-/// Format in which a command writes a result to a file.
+/// A file format in which a command can write its result.
 template <class Result>
 struct Writer : files::Ending {
   std::function<void(const Result&, const std::filesystem::path&)> write;
 };
 
-/// Formats in which a command can write its result, in the order of its help.
+/// All file formats in which a command can write its result, in the order in which help lists them.
 template <class Result>
 using Writers = std::vector<Writer<Result>>;
 
-/// Writer for results that become a text, such as a table.
+/// Makes a writer from a function that converts the result to text, such as a table.
 template <class Result>
 Writer<Result> writer_of(files::Ending ending, std::string (*text)(const Result&)) {
   return {std::move(ending), [text](const Result& result, const std::filesystem::path& file) {
@@ -35,7 +35,7 @@ Writer<Result> writer_of(files::Ending ending, std::string (*text)(const Result&
           }};
 }
 
-/// Writer for results that become a JSON document.
+/// Makes a writer from a function that converts the result to a JSON document.
 template <class Result>
 Writer<Result> writer_of(files::Ending ending, result::Json (*document)(const Result&)) {
   return {std::move(ending), [document](const Result& result, const std::filesystem::path& file) {
@@ -43,10 +43,10 @@ Writer<Result> writer_of(files::Ending ending, result::Json (*document)(const Re
           }};
 }
 
-/// Prints a document on stdout, together with the names of files that were also written.
+/// Prints a JSON document on stdout, to which the names of files that were written are added.
 void print_json(result::Json document, const std::vector<std::string>& files = {});
 
-/// Adds -o, which names files for the result. Their endings determine the formats.
+/// Adds --output, which names files for the result. The ending of a name determines the format.
 template <class Result>
 void add_outputs(Verb& verb, std::vector<std::string>& names, const Writers<Result>& writers) {
   add_flag(verb, "-o,--output", names,
@@ -54,9 +54,9 @@ void add_outputs(Verb& verb, std::vector<std::string>& names, const Writers<Resu
       .writes_file(writers);
 }
 
-/// Refuses files that cannot be written, before the work for them begins.
+/// Checks that the named files can be written. To be called before the work for them begins.
 ///
-/// Given   what  what the files hold, such as "a night"
+/// Given   what  what the files hold, such as "a night", for error messages
 /// Throws  algebra::Error  as files::format_of and files::require_place_for
 template <class Result>
 void require_writers(const std::vector<std::string>& names, const Writers<Result>& writers,
@@ -67,7 +67,9 @@ void require_writers(const std::vector<std::string>& names, const Writers<Result
   }
 }
 
-/// Throws  algebra::Error  as the writers do
+/// Writes a result to each of the named files, in the format that its ending determines.
+///
+/// Throws  algebra::Error  as the writers
 template <class Result>
 void write_files(const Result& result, const std::vector<std::string>& names,
                  const Writers<Result>& writers) {
@@ -75,13 +77,11 @@ void write_files(const Result& result, const std::vector<std::string>& names,
     files::format_of(file, writers, "a file").write(result, file);
 }
 
-/// Whether one of the files has a certain ending.
 bool has_ending(const std::vector<std::string>& names, std::string_view ending);
 
-/// Prints the names of the files that were written, below a table.
+/// Prints the names of files that were written, below the table that the command prints.
 void print_names(const std::vector<std::string>& names);
 
-/// The present moment.
 almanac::Instant now();
 
 }  // namespace coppermoon::verbs

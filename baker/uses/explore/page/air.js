@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Changes to the Earth's air, and the transmittance along the limb rays in it.
+// Applies the user's changes to the Earth's air, and computes the transmittance along rays at the limb.
 
 /** Air as it was on that day. */
 export const airAsItWas = {
   refraction: true, scattering: true, ozone: true, gases: true, aerosol: true, clouds: true,
-  cloud: 1,  // factor on the chance of cloud and on cirrus
-  haze: 1,  // factor on the aerosol below the stratosphere
-  dust: null,  // optical depth of stratospheric aerosol at 550 nm; null: as it was
-  ozoneDu: null,  // column of ozone everywhere; null: as it was
-  clearness: 0,  // share of cloud and aerosol removed; below 0: optical depth added to the stratosphere
+  cloud: 1,  // multiplies the chance of cloud and the amount of cirrus
+  haze: 1,  // multiplies the aerosol below the stratosphere
+  dust: null,  // optical depth of stratospheric aerosol at 550 nm; null leaves it as it was
+  ozoneDu: null,  // ozone column, the same everywhere [Dobson units]; null leaves it as it was
+  clearness: 0,  // fraction of cloud and aerosol removed; if negative, optical depth added to the stratosphere
 };
 
 /** Share of cloud and aerosol left by the clearness. */
@@ -58,7 +58,7 @@ export class LimbRays {
     this.waves = facts.wavelengths.length;
     this.heights = arrays['limb.heights'].data;
     this.rays = this.heights.length;
-    this.refractivities = arrays['limb.bending'].shape[1];  // the last has straight rays
+    this.refractivities = arrays['limb.bending'].shape[1];  // how many; the last is 0 (straight rays)
     for (const name of ['bending', 'excess', 'amounts', 'spectra', 'aerosol', 'aerosolSpectra', 'recordedSpectra', 'blend'])
       this[name] = arrays[`limb.${name}`].data;
     this.absorbers = facts.limb.absorbers.length;
@@ -127,7 +127,7 @@ export class LimbRays {
     const kind = this.parts[part];
     const depth = aerosolDepth(air, kind);
     const asItWas = depth > 0 && depth === kind.aerosolDepth;
-    // clearness scales the month's own profile, as in the program; the slider uses a standard profile
+    // clearness scales the month's recorded aerosol profile, as in the program; the slider uses a standard profile
     const scaled = !asItWas && depth > 0 && air.dust === null && kind.aerosolRecorded && kind.aerosolDepth > 0;
     const weights = factors(air, kind, this.limb.absorbers), stratosphere = this.limb.absorbers.indexOf('stratosphere');
     if (asItWas) weights[stratosphere] = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads the page's arrays, which PageArrays wrote.
+// Decodes the page's arrays of data, which the C++ class PageArrays wrote.
 
 async function inflated(base64) {
   const binary = atob(base64);

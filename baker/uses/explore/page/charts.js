@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Charts beside the Moon: light curve, spectrum, the Earth's ring of sunsets.
+// Draws the charts beside the Moon: the light curve, the spectrum, and the ring of sunsets around the Earth.
 
 import {darker, stopColours} from './picture.js';
 import {signed} from './words.js';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Starts the page with the data beside this script.
+// Starts the page with the data embedded beside this script in the HTML.
 
 import {readArrays} from './arrays.js';
 import style from './page.css';

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Measurements of the whole Moon: magnitude, luminance, exposure.
+// Measures the whole Moon's magnitude and luminance, and the exposure for it.
 
 import {viewFrom} from './motion.js';
 import {luminance} from './vectors.js';
 
-const samples = 96;  // number of samples across the measured picture
+const samples = 96;  // width and height of the measured picture [pixels]
 const whole = {middle: [0, 0], pixel: 2.04 / samples, width: samples, height: samples};
 
 /** V magnitude and mean luminance [cd/m²] as seen from the Earth's centre, without the observer's air. */

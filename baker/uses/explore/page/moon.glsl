@@ -1,46 +1,46 @@
 // SPDX-License-Identifier: MIT
-// The Moon, lit pixel by pixel, in the shadow's frame [km]. It is compiled twice: for the screen, and with RAW to
-// return the bits of the radiance in red, green, blue and V.
+// Shader that computes the light of each pixel of the Moon, in the shadow's frame [km]. It is compiled twice: once to
+// draw on the screen, and once with RAW defined, to return the radiance in red, green, blue and V as bits of floats.
 precision highp float;
 precision highp int;
 precision highp sampler2D;
 precision highp sampler3D;
 
-uniform vec3 centre;         // of the Moon
+uniform vec3 centre;         // position of the Moon's centre
 uniform float sunDistance;
 uniform float moonRadius;
-uniform mat3 moonFromShadow; // to Moon-fixed axes
+uniform mat3 moonFromShadow; // rotation to Moon-fixed axes
 uniform float earthRadius;
 uniform float au;
 
-uniform sampler2D light;     // log2, [plane × sector][node, on the reddest ground before the bluest]
+uniform sampler2D light;     // log2 of light by [plane and sector][node, and reddest or bluest ground]
 uniform int nodes, sectors;
-uniform vec3 ends, stretches;  // axis distances at which stretches end, and their numbers of nodes
-uniform vec2 depths;         // of the planes
+uniform vec3 ends, stretches;  // where each stretch of axis distance ends, and how many nodes it has
+uniform vec2 depths;         // depths of the two planes
 uniform float middleDepth;
 
-uniform sampler2D map;       // logarithm of albedo
-uniform vec2 mapLogs;        // smallest logarithm, and range
-uniform vec2 mapLongitudes;  // first longitude, and range [rad]
+uniform sampler2D map;       // logarithm of albedo, scaled to 0 to 1
+uniform vec2 mapLogs;        // smallest logarithm of albedo, and range
+uniform vec2 mapLongitudes;  // first longitude of the map, and range [rad]
 
-uniform sampler2D ground;    // colour and surge by place, 0 for the lowest and 1 for the highest
+uniform sampler2D ground;    // the ground's colour and opposition surge, each scaled to 0 to 1
 uniform vec2 groundLongitudes;
 uniform float widestSurge;
 
-uniform vec4 law;            // photometric law: scale, and weights for incidence, emission and 1
+uniform vec4 law;            // photometric law: scale, and coefficients of incidence, emission and 1
 uniform float phases[61], surges[61];  // phase factors, and their change per unit of surge
-uniform float phaseStep;     // [rad]
+uniform float phaseStep;     // phase angle between table entries [rad]
 uniform bool shadowed;
 
-uniform float moonDistance;  // from the observer
+uniform float moonDistance;  // distance of the Moon's centre from the observer
 uniform vec3 forward, right, up;
-uniform vec2 middle;         // of the picture, relative to the disc's middle [lunar radii]
+uniform vec2 middle;         // picture's centre relative to the disc's centre [lunar radii]
 uniform float pixel;         // size of a pixel [lunar radii]
-uniform vec2 size;           // of the picture [pixels]
+uniform vec2 size;           // width and height of the picture [pixels]
 
 #ifdef RAW
-uniform sampler2D places;    // unit vectors to ground, Moon-fixed
-uniform bool atPlaces;       // whether to light `places` rather than a picture
+uniform sampler2D places;    // unit vectors to points on the ground, in Moon-fixed axes
+uniform bool atPlaces;       // whether to compute light at `places` instead of a picture
 #endif
 
 const float pi = 3.14159265358979;
@@ -49,14 +49,14 @@ float sheared(float d, float deeper) {
   return d + (d - 6390.0) * (deeper - 1.0) * min(1.0, d / 1500.0);
 }
 
-// Position among the nodes for an axis distance.
+// Fractional index of the node at a distance from the shadow's axis.
 float nodeAt(float d) {
   if (d < ends.x) return d / ends.x * stretches.x;
   if (d < ends.y) return stretches.x + (d - ends.x) / (ends.y - ends.x) * stretches.y;
   return stretches.x + stretches.y + (d - ends.y) / (ends.z - ends.y) * stretches.z;
 }
 
-// Light in a row at a position among the nodes, on the reddest (0) or bluest (1) ground.
+// Logarithm of light in one row of the table, interpolated between nodes, on the reddest (0) or bluest (1) ground.
 vec4 atNode(int row, float node, int bluest) {
   int low = clamp(int(floor(node)), 0, nodes - 2);
   float part = clamp(node - float(low), 0.0, 1.0);
@@ -64,8 +64,8 @@ vec4 atNode(int row, float node, int bluest) {
     texelFetch(light, ivec2(2 * low + 2 + bluest, row), 0), part);
 }
 
-// Radiance of white ground that faces the Sun at 1 au, in the light at a place in the shadow, for the reddest (0) or
-// bluest (1) colour of ground.
+// Radiance of ground with albedo 1 that faces the Sun, at a place in the shadow, with the Sun at 1 au. The ground has
+// the Moon's reddest (0) or bluest (1) colour.
 vec4 lightAt(vec3 place, int bluest) {
   if (!shadowed) return exp2(texelFetch(light, ivec2(2 * (nodes - 1) + bluest, 0), 0));
   float node = nodeAt(sheared(length(place.xy), middleDepth / place.z));
@@ -89,7 +89,7 @@ float phaseFactor(vec3 toSun, vec3 toEarth, float surge) {
   return mix(phases[low], phases[low + 1], part) + surge * mix(surges[low], surges[low + 1], part);
 }
 
-// Longitude, and how far the ground is from the north pole (0) to the south pole (1).
+// Map coordinates of the ground with this normal: longitude [rad], and 0 at the north pole to 1 at the south pole.
 vec2 onMap(vec3 normal) {
   vec3 fixedGround = moonFromShadow * normal;
   return vec2(atan(fixedGround.y, fixedGround.x), 0.5 - asin(clamp(fixedGround.z, -1.0, 1.0)) / pi);
@@ -98,12 +98,12 @@ vec2 onMap(vec3 normal) {
 float albedoAt(vec2 place) {
   vec2 at = vec2((place.x - mapLongitudes.x) / mapLongitudes.y, place.y);
 #ifdef RAW
-  if (atPlaces) return exp(mapLogs.x + mapLogs.y * textureLod(map, at, 0.0).r);  // pixels are not neighbours
+  if (atPlaces) return exp(mapLogs.x + mapLogs.y * textureLod(map, at, 0.0).r);  // no mipmaps for unrelated places
 #endif
   return exp(mapLogs.x + mapLogs.y * texture(map, at).r);
 }
 
-// Radiance of ground in red, green and blue [cd/m²] and V, given its normal.
+// Radiance of the ground with this normal in red, green, blue [cd/m²] and V.
 vec4 radianceOf(vec3 normal) {
   vec3 place = centre + moonRadius * normal;
   vec3 toSun = vec3(0.0, 0.0, -sunDistance) - place;
@@ -119,7 +119,7 @@ vec4 radianceOf(vec3 normal) {
     mix(lightAt(place, 0), lightAt(place, 1), own.r);
 }
 
-// Ground seen at a point in the picture, and how far inside the limb the point is [lunar radii].
+// Normal of the ground that is seen at a point in the picture, and the point's distance inside the limb [lunar radii].
 vec3 groundAt(vec2 at, out float inside) {
   float reach = length(at), away = moonRadius / moonDistance * reach;
   float cosine = inversesqrt(1.0 + away * away), sine = away * cosine;
@@ -127,7 +127,7 @@ vec3 groundAt(vec2 at, out float inside) {
   inside = 1.0 - nearest / moonRadius;
   vec3 outward = reach > 0.0 ? (at.x * right + at.y * up) / reach : right;
   vec3 sight = cosine * forward + sine * outward, across = cosine * outward - sine * forward;
-  nearest = min(nearest, moonRadius);  // beside the Moon, use its limb
+  nearest = min(nearest, moonRadius);  // outside the disc, use the nearest point of the limb
   float halfChord = sqrt(max(0.0, moonRadius * moonRadius - nearest * nearest));
   return (nearest * across - halfChord * sight) / moonRadius;
 }
@@ -146,15 +146,15 @@ void main() {
   bits = floatBitsToUint(value);
 }
 #else
-uniform float exposure;      // of 1 cd/m², relative to saturation
-uniform int look;            // 0: display sRGB, 1: a table, 2: stops, 3: hue kept
+uniform float exposure;      // pixel value for 1 cd/m²; 1 saturates
+uniform int look;            // 0 is plain sRGB, 1 a table, 2 false colours in stops, 3 hue-preserving
 uniform sampler3D view;
-uniform vec2 viewCode;       // gain, stops
+uniform vec2 viewCode;       // gain and stops of the table's axes
 uniform float viewSize;
-uniform vec3 around;         // light from the sky around and in front of the Moon [cd/m²]
+uniform vec3 around;         // light of the sky around and in front of the Moon [cd/m²]
 uniform float fullMoon;      // luminance of a full Moon [cd/m²]
 uniform vec3 stopColours[10];
-uniform float darker;        // factor on the colour for the lower of two stops
+uniform float darker;        // factor that darkens the colour for the fainter of two stops
 out vec4 colour;
 
 vec3 srgb(vec3 light) {
@@ -171,7 +171,8 @@ vec3 viewed(vec3 light) {
   return texture(view, (code * (viewSize - 1.0) + 0.5) / viewSize).rgb;
 }
 
-// The view Hue-preserving in colour/config.ocio: a shoulder for the brightest channel, and overexposure fades to white.
+// Same as the view "Hue-preserving" in colour/config.ocio. The brightest channel is compressed smoothly near white, and
+// overexposed colours fade to white.
 vec3 hueKept(vec3 light) {
   float most = max(light.r, max(light.g, light.b)), least = min(light.r, min(light.g, light.b));
   float held = most < 0.8 ? most : 0.8 + 0.04 * log(1.0 + (most - 0.8) / 0.04);
@@ -180,7 +181,7 @@ vec3 hueKept(vec3 light) {
   return min(held, 1.0) * (1.0 - kept * (1.0 - light / max(most, 1e-30)));
 }
 
-// Stops below a full Moon: one colour for every two stops, darker for the lower one.
+// False colour for the number of stops below a full Moon. Two stops share a colour, and the fainter one is darker.
 vec3 stops(vec3 light) {
   float below = log2(fullMoon / max(dot(light, vec3(0.2126, 0.7152, 0.0722)), 1e-12));
   int step = clamp(int(floor(below / 2.0)), 0, 9);
@@ -202,7 +203,7 @@ void main() {
   if (cover <= 0.0 && black) { colour = vec4(0.0, 0.0, 0.0, 1.0); return; }
   vec3 seen = cover > 0.0 ? max(radianceOf(ground).rgb, 0.0) + around : vec3(0.0);
   vec3 beside = black ? vec3(0.0) : linear(shown(around));
-  // coverage at the limb weights light as displayed, so that a clipped limb is not jagged
+  // limb pixels are blended after the view is applied, so that an overexposed limb is not jagged
   colour = vec4(srgb(mix(beside, linear(shown(seen)), cover)) + noise(gl_FragCoord.xy) / 255.0, 1.0);
 }
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Positions at one moment, and the view from a place, in the shadow's frame: X to celestial east, Y to celestial
-// north, Z away from the Sun, origin at the Earth's centre, in kilometres.
+// Positions of the Sun, Moon and Earth at one moment, and the view from a place on the Earth. In the shadow's frame, X
+// is celestial east, Y is celestial north, Z points away from the Sun, and the Earth's centre is the origin [km].
 
 import {cross, degree, difference, direction, dot, length, scaled, times, transposed, unit} from './vectors.js';
 
@@ -94,7 +94,7 @@ export function viewFrom(sky, place, up) {
     right: cross(forward, upward),
   };
   if (place) {
-    const sunAltitude = -Math.asin(stand.zenith[2]) / degree;  // the shadow's axis comes from the Sun
+    const sunAltitude = -Math.asin(stand.zenith[2]) / degree;  // the Sun is towards −Z
     Object.assign(view, horizonPlace(sky, stand.zenith, forward), {sunAltitude});
   }
   return view;
@@ -107,7 +107,7 @@ export function viewFrom(sky, place, up) {
  * Returned unit vector, shadow's frame; null beside the Moon
  */
 export function groundAt(view, radius, x, y) {
-  const away = radius / view.distance * Math.hypot(x, y);  // tangent of the angle from the disc's middle
+  const away = radius / view.distance * Math.hypot(x, y);  // tangent of the angle from the disc's centre
   const sine = away / Math.sqrt(1 + away * away), cosine = 1 / Math.sqrt(1 + away * away);
   const nearest = view.distance * sine;  // distance between the line of sight and the Moon's centre
   if (nearest >= radius) return null;

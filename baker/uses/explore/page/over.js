@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Drawings over the Moon: the shadow's edges, the marked place, north and east.
+// Draws lines and labels over the Moon: the shadow's edges, the marked place, and arrows to north and east.
 
 import {groundOf, pictureOf} from './motion.js';
 import {difference, dot, times} from './vectors.js';
@@ -49,12 +49,12 @@ function drawNorth(pen, {sky, view, frame}) {
   const pole = times(sky.equatorFrame, [0, 0, 1]);
   const north = [dot(pole, view.right), dot(pole, view.up)], size = Math.hypot(...north) || 1;
   const [x, y] = [north[0] / size, north[1] / size], reach = 16 * frame.ratio;
-  const narrow = frame.width < 640 * frame.ratio;  // the title is at the top there
+  const narrow = frame.width < 640 * frame.ratio;  // on narrow screens the title is at the top
   const from = narrow ? [40 * frame.ratio, frame.height - 34 * frame.ratio] : [frame.width - 34 * frame.ratio, 40 * frame.ratio];
   pen.strokeStyle = pen.fillStyle = '#888';
   pen.textAlign = 'center';
   pen.textBaseline = 'middle';
-  for (const [name, dx, dy] of [['N', x, y], ['E', -y, x]]) {  // on the sky, east is left of north
+  for (const [name, dx, dy] of [['N', x, y], ['E', -y, x]]) {  // in the sky, east is to the left of north
     pen.beginPath();
     pen.moveTo(...from);
     pen.lineTo(from[0] + reach * dx, from[1] - reach * dy);

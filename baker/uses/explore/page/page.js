@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page for one eclipse: its state, and everything that shows the state.
+// The page for one eclipse. It holds the state and updates everything that shows the state.
 
 import {airAsItWas} from './air.js';
 import {rowsOf} from './arrays.js';
@@ -17,7 +17,7 @@ import {direction, degree, luminance, unit} from './vectors.js';
 import {exposureTime, localTime, meanings, number, placeText, signed, utc} from './words.js';
 
 const curveMoments = 72;
-const playedRate = 600;  // seconds of the eclipse per second of playing
+const playedRate = 600;  // seconds of the eclipse that pass in each second of playback
 
 export class Page {
   /** Given  embedded  whether it is part of another page, whose address and keys it leaves alone */
@@ -88,7 +88,7 @@ export class Page {
     const {canvas} = this.picture, ratio = Math.min(2, window.devicePixelRatio || 1);
     const width = Math.max(1, Math.round(canvas.clientWidth * ratio));
     const height = Math.max(1, Math.round(canvas.clientHeight * ratio));
-    canvas.style.touchAction = this.state.zoom > 1 ? 'none' : 'pan-y';  // whether a finger moves the Moon or the page
+    canvas.style.touchAction = this.state.zoom > 1 ? 'none' : 'pan-y';  // fingers move an enlarged Moon
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
     const pixel = 2.3 / this.state.zoom / Math.min(width, height);
     return {middle: this.state.middle, pixel, width, height, ratio};
@@ -345,14 +345,14 @@ export class Page {
 
   /** Lets a finger or the mouse move an enlarged Moon, and lets two fingers zoom around the place between them. */
   pointers(canvas) {
-    const held = new Map();  // pointers by id: [x, y] in the window
-    let from = null;  // the pointers' middle, distance and place when their number last changed
+    const held = new Map();  // position [x, y] in the window of each pressed pointer, by id
+    let from = null;  // zoom, finger distance and mean place when the number of pointers last changed
     const mean = (i) => [...held.values()].reduce((sum, at) => sum + at[i], 0) / held.size;
     const apart = () => {
       const [a, b] = [...held.values()];
       return b ? Math.max(1, Math.hypot(a[0] - b[0], a[1] - b[1])) : 1;
     };
-    const besideMiddle = () => {  // the pointers' middle, relative to the picture's middle
+    const besideMiddle = () => {  // mean position of the pointers relative to the picture's centre
       const box = canvas.getBoundingClientRect(), {pixel, ratio} = this.frame();
       return [(mean(0) - box.left - box.width / 2) * ratio * pixel, (box.top + box.height / 2 - mean(1)) * ratio * pixel];
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Controls. Each shows part of the state and can change it.
+// The page's controls. Each control shows part of the page's state and lets the user change it.
 
 import {airAsItWas, meanOver, withoutClearness} from './air.js';
 import {rowsOf} from './arrays.js';

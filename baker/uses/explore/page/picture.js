@@ -13,7 +13,7 @@ export const stopColours = [
   [0.6, 0.2, 0.55], [0.35, 0.3, 0.75], [0.2, 0.5, 0.75], [0.15, 0.55, 0.5], [0.2, 0.25, 0.25]];
 export const darker = 0.85;
 
-const widest = 1024;  // longest row in the texture of places
+const widest = 1024;  // largest width of the texture that holds places on the Moon [texels]
 
 function compiled(gl, kind, text) {
   const part = gl.createShader(kind);

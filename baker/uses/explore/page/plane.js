@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A plane behind the Earth: where light from the limb lands on it, and the light from the Sun's whole disc on it
-// (shadow::by_quadrature has the equation).
+// Computes where light from the Earth's limb lands on a plane behind the Earth, and how much light the plane receives
+// from the Sun's whole disc (shadow::by_quadrature has the equation).
 
-// Nodes in three stretches of axis distance: inside the umbra, around the start of direct light, and farther out.
+// Numbers of nodes in three stretches of axis distance: the umbra, the edge where direct light begins, and farther out.
 export const stretches = [150, 110, 80];
 export const nodes = stretches[0] + stretches[1] + stretches[2] + 1, sectors = 96;
-export const colours = 4;  // red, green, blue, V
-export const channels = 2 * colours;  // on the reddest ground, then on the bluest
-// Widths of bins in the axis distance at which light from the Sun's centre lands. Narrow bins begin where rays land
-// that pass the limb at a height of 25 km, since direct light begins there.
+export const colours = 4;  // number of colours: red, green, blue and V
+export const channels = 2 * colours;  // all colours on the reddest ground, then all on the bluest
+// Widths of bins in axis distance that collect light from the Sun's centre. Wide bins cover the inner shadow. Narrow
+// bins begin where rays that pass the limb at a height of 25 km land, because direct sunlight begins there.
 const wideKm = 30, narrowKm = 5, highRaysKm = 360;
-const limbKm = 6390, oneLimbKm = 1500;  // as shadow::limb_m and one_limb_m
+const limbKm = 6390, oneLimbKm = 1500;  // the same as shadow::limb_m and one_limb_m
 
 /** Axis distance at which a line from the limb crosses a plane that is `deeper` times as deep. */
 export const sheared = (distance, deeper) =>
@@ -48,7 +48,7 @@ export class Plane {
     const top = landing(shadow.facts.earth.equatorialKm + shadow.facts.limb.topKm, 0, shadow.sunDistance, depth);
     this.wide = Math.floor((straight - highRaysKm) / wideKm);  // number of wide bins
     this.bins = this.wide + Math.ceil((top + narrowKm - this.wide * wideKm) / narrowKm);
-    this.clear = null;  // parts of the Sun's disc visible from the nodes, made on demand
+    this.clear = null;  // visible parts of the Sun's disc at each node, computed when first needed
   }
 
   /** Axis distance at which a bin begins [km]. */
@@ -75,7 +75,7 @@ export class Plane {
         const psi = half * Math.sin(t), cosine = Math.cos(psi);
         const out = (r * r + gamma * gamma - 2 * r * gamma * cosine) / (a * a);
         const mu = Math.sqrt(Math.max(0, 1 - out));
-        const share = weight * half * w * Math.PI / 2 / pieces * Math.cos(t);  // both halves at once
+        const share = weight * half * w * Math.PI / 2 / pieces * Math.cos(t);  // covers both halves of the arc
         for (let k = 0; k < terms.length; ++k) {
           const shed = share * terms[k].reduceRight((value, c) => value * mu + c, 0);
           let before = cosine, now = 1;

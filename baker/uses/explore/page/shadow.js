@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light in the Earth's shadow by axis distance, position angle and depth, summed from rays at the limb.
+// Sums the light in the Earth's shadow from rays at the limb, as a function of axis distance, position angle and depth.
 
 import {aerosolDepth, cloudCover, LimbRays, meanOver} from './air.js';
 import {channels, colours, landing, nodes, Plane, sectors, sheared, stretches} from './plane.js';
@@ -28,13 +28,13 @@ export class Shadow {
     const {shape, data} = arrays['limb.series'];
     this.scattered = arrays.scattered;
     this.harmonics = shape[2];
-    this.series = table('limb.series', this.harmonics);  // cosines and sines of each part in turn
+    this.series = table('limb.series', this.harmonics);  // for each part, a row of cosines and a row of sines
     this.turning = data.some((value, i) => value !== 0 && Math.floor(i / this.harmonics) % 2 === 1);
     const top = facts.earth.equatorialKm + facts.limb.topKm;
     this.endKm = landing(top, 0, sunDistance, depths[1]) + facts.sun.radiusKm * depths[1] / sunDistance;
     const begins = landing(top, 0, sunDistance, this.middleDepth) -
-      facts.sun.radiusKm * this.middleDepth / sunDistance;  // direct light
-    this.ends = [begins - 160, begins + 440, this.endKm];  // axis distances at which the stretches end
+      facts.sun.radiusKm * this.middleDepth / sunDistance;  // where direct sunlight begins
+    this.ends = [begins - 160, begins + 440, this.endKm];  // axis distances at which stretches of nodes end
     this.planes = depths.map((depth) => new Plane(this, depth));
   }
 
@@ -52,7 +52,7 @@ export class Shadow {
   setAir(air) {
     this.air = air;
     this.landed = this.planes.map(() => []);
-    this.spectral = [];  // series for each wavelength, made on demand
+    this.spectral = [];  // series for each wavelength, computed when first needed
     for (let p = 0; p < this.rays.parts.length; ++p)
       for (let w = 0; w < this.waves; ++w) {
         const {paths, amounts} = this.followed(air, p, w);
@@ -97,7 +97,7 @@ export class Shadow {
         for (let m = 0; m < harmonics; ++m) {
           const share = this.series[2 * p + side][m];
           if (share === 0) continue;
-          const across = m % 2 === 0 ? share : -share;  // light that crosses the axis turns by 180 degrees
+          const across = m % 2 === 0 ? share : -share;  // light that crosses the axis lands at the opposite angle
           const to = shed[side * harmonics + m], half = bins * width;
           for (let i = 0; i < half; ++i) to[i] += share * inWeights[i] + across * inWeights[half + i];
         }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Light through the air above the observer (atmosphere::transmittance_above).
+// Dims and reddens moonlight by the air above the observer (atmosphere::transmittance_above).
 
 import {refraction} from './motion.js';
 import {colours} from './plane.js';
 import {degree} from './vectors.js';
 
-const lowest = -0.5739;  // true altitude of objects seen on the horizon [degrees]
-// Light is interpolated between altitudes at equal steps of log(altitude + shift).
+const lowest = -0.5739;  // altitude without refraction of an object that is seen on the horizon [degrees]
+// Light is computed at altitudes in equal steps of log(altitude + shift) and interpolated between them.
 const shift = 3.5, step = Math.log(1.12);
 
 const altitudeOf = (node) => Math.min(90, (lowest + shift) * Math.exp(step * node) - shift);
@@ -34,7 +34,7 @@ export class Sightline {
     const {shape, data} = arrays['observer.depths'];
     this.depths = [0, 1, 2].map((i) => data.subarray(i * shape[1], (i + 1) * shape[1]));
     this.tableOf = tableOf;
-    this.tables = {};  // by altitude and elevation
+    this.tables = {};  // tables of light, by altitude and elevation
   }
 
   /** Optical depth of the observer's air by wavelength. */
@@ -56,14 +56,14 @@ export class Sightline {
     const node = Math.floor(Math.log((seen + shift) / (lowest + shift)) / step + 1e-9);
     const [low, high] = [node, node + 1].map((i) =>
       (this.tables[`${i} ${elevationKm}`] ??= this.made(altitudeOf(i), elevationKm)));
-    const middle = this.depths[0].length >> 1;  // 585 nm
+    const middle = this.depths[0].length >> 1;  // index of the wavelength 585 nm
     const [depth, from, to] = [seen, altitudeOf(node), altitudeOf(node + 1)].map((at) => this.depth(at, elevationKm)[middle]);
     const part = (depth - from) / (to - from || 1);
     return {...low, values: between(low.values, high.values, part)};
   }
 }
 
-const weak = -7;  // log2 of the ratio to the strongest channel; one that the gamut cuts off has no logarithm
+const weak = -7;  // a channel below this is weak [log2, relative to the strongest channel]
 
 /** Logarithms interpolated between two tables. For weak channels, the ratio to the strongest is interpolated. */
 function between(low, high, part) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light of the clear sky around the Moon (uses::ClearSky).
+// Interpolates the light of the clear sky around the Moon, which was computed by uses::ClearSky.
 
 import {pressureRatio} from './sightline.js';
 

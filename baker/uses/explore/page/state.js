@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The state that the reader has set, as a link's fragment and as the command that makes the same picture.
+// Converts the page's state to and from a link's fragment, and to the command that renders the same picture.
 
 import {airAsItWas, meanOver, remaining} from './air.js';
 import {switches, utc} from './words.js';
@@ -9,7 +9,7 @@ export function firstState(facts) {
     ms: facts.contacts.find(({name}) => name === 'greatest').ms,
     place: Object.keys(facts.place ?? {}).length ? facts.place : null,
     up: 'north',
-    reddening: facts.reddening,  // by the observer's air
+    reddening: facts.reddening,  // whether the observer's air reddens the Moon
     exposure: {rule: 'follow', time: 1, iso: 800, fNumber: 12.1},
     look: facts.views[0],
     air: {...airAsItWas},
@@ -123,7 +123,7 @@ export function commandOf(state, facts, seconds) {
     const metres = Math.round(1000 * (place.elevationKm ?? 0));
     words.push('--at', [place.latitude.toFixed(4), place.longitude.toFixed(4), ...(metres ? [metres] : [])].join(','));
     if (!state.reddening) words.push('--reddening', 'off');
-    words.push('--flattening', 'off');  // the page's Moon is round
+    words.push('--flattening', 'off');  // the page draws the Moon without flattening
   }
   if (state.up !== 'north') words.push('--up', {zenith: 'zenith', moon: 'moon-north'}[state.up]);
   words.push('--time', exposure.rule === 'follow' ? short(seconds) : short(exposure.time));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors of three numbers, and matrices of nine numbers, column by column.
+// Operations on vectors of three numbers and on 3 x 3 matrices, which are stored column by column.
 
 export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 export const scaled = (a, k) => [a[0] * k, a[1] * k, a[2] * k];

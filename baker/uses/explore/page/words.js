@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texts on the page, and the meanings of its terms.
+// Texts that the page shows, including explanations of its terms.
 
 export const meanings = {
   P1: 'P1: the Moon touches the penumbra, where the Earth covers a part of the Sun.',
