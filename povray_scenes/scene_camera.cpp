@@ -108,10 +108,9 @@ glm::dmat3 flattened_by_air(const SceneCamera& camera) {
 
 std::optional<glm::dvec2> pixel_of(const SceneCamera& camera,
                                    const almanac::SelenographicPoint& place) {
-  require_sound(camera);
   const glm::dvec3 on_sphere = almanac::selenographic_direction(place);
-  if (glm::dot(on_sphere, camera.position) <= 1) return std::nullopt;
   const glm::dvec3 at = flattened_by_air(camera) * on_sphere;
+  if (glm::dot(on_sphere, camera.position) <= 1) return std::nullopt;
   const glm::dvec3 forward = line_of_sight(camera);
   const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
   const glm::dvec3 upward = glm::cross(right, forward);

@@ -33,7 +33,9 @@ struct Options {
   FilmOptions film;  ///< of which only the eclipse and the calendar are used
   std::string from, to, output;
   uses::ExploreRequest request;
-  bool embed = false, json = false;
+  bool embed = false, json = false, csv = false;
+
+  bool tells() const { return !json && !csv; }
 };
 
 void require_sound(const Options& options) {
@@ -112,7 +114,7 @@ Page write_page(const eclipse::Eclipse& eclipse, const Options& options, const f
   auto page = uses::page_of(exploration, extent);
   if (extent == uses::PageExtent::whole) page = stamped(page);
   files::write_whole(file, page);
-  if (!options.json)
+  if (options.tells())
     fmt::print("{}: {}, {:.1f} MB\n", one_line(file.string()), exploration.title,
                static_cast<double>(page.size()) / 1e6);
   return {file.string(), exploration.title, page.size()};
@@ -140,7 +142,7 @@ Pages write_calendar(const Options& options) {
   for (std::size_t i = 0; i < eclipses.size(); ++i)
     written.pages.push_back(write_page(eclipses[i], options, folder / pages[i]));
   files::write_whole(list, stamped(uses::calendar_page(eclipses, pages)));
-  if (!options.json) fmt::print("{}: {} eclipses\n", one_line(list.string()), eclipses.size());
+  if (options.tells()) fmt::print("{}: {} eclipses\n", one_line(list.string()), eclipses.size());
   return written;
 }
 
@@ -154,11 +156,17 @@ void run(const Verb& verb, Options options) {
     if (!named) say_whose_clocks(*request.observer);
     request.place = named ? named->name : "";
   }
-  const auto written = options.from.empty()
-                           ? result::as_json(write_page(eclipse_of(options.film, request.observer),
-                                                        options, options.output))
-                           : result::as_json(write_calendar(options));
-  if (options.json) fmt::print("{}\n", written.dump(2));
+  const bool many = !options.from.empty();
+  const auto written =
+      many ? write_calendar(options)
+           : Pages{
+                 {},
+                 {write_page(eclipse_of(options.film, request.observer), options, options.output)}};
+  if (options.json)
+    fmt::print("{}\n",
+               (many ? result::as_json(written) : result::as_json(written.pages[0])).dump(2));
+  else if (options.csv)
+    fmt::print("{}", result::as_csv(written.pages));
 }
 
 }  // namespace
@@ -189,6 +197,7 @@ void add_explore(Program& program) {
       .required();
   add_switch(verb, "--embed", options->embed, "writes the part of a page that stands in your own");
   add_json_switch(verb, options->json, {result::fields_of<Page>, result::fields_of<Pages>});
+  add_run_switch(verb, "--csv", options->csv, "prints the pages as CSV").not_beside({{"json"}});
   add_map_options(verb, options->request.moon);
   add_described(verb, options->request.moon.light.air);
   on_run(verb, [&verb, options] { run(verb, *options); });

@@ -868,7 +868,12 @@ TEST_F(Explore, ACalendarListsItsPages) {
   ASSERT_EQ(told["pages"].size(), 1U);
   EXPECT_EQ(told["pages"][0]["file"], "year/2025-03-14.html");
   EXPECT_EQ(told["pages"][0]["title"], "Total eclipse of the Moon, 2025-03-14");
-  EXPECT_EQ(told["pages"][0]["bytes"], std::filesystem::file_size(here("year/2025-03-14.html")));
+  const auto bytes = std::filesystem::file_size(here("year/2025-03-14.html"));
+  EXPECT_EQ(told["pages"][0]["bytes"], bytes);
+  EXPECT_EQ(coppermoon(calendar("2025-03-01", "2025-03-31") + Words{"--csv"}).out,
+            fmt::format("file,title,bytes\nyear/2025-03-14.html,\"Total eclipse of the Moon, "
+                        "2025-03-14\",{}\n",
+                        bytes));
 }
 
 TEST_F(Explore, WhatIsNoPageIsRefused) {

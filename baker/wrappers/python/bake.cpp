@@ -85,7 +85,6 @@ Texture texture_of(const Moment& when, const std::optional<uses::Air>& air,
   take(bake_keywords(asked), "bake", more);
   uses::require_sound(asked.content);
   uses::texture_width_of(asked.moon);
-  uses::require_map(asked.moon);
   auto baked = computed(callback, [&](const algebra::Progress& progress) {
     return baked_of(asked, when.seen_from(asked.view.observer), progress);
   });

@@ -40,7 +40,6 @@ Dome dome_at(const Moment& when, const Place& at, const std::optional<uses::Air>
   take_objects(asked.moon, air, light, at);
   take(dome_keywords(asked), "dome", more);
   uses::require_sound(asked.dome);
-  uses::require_map(moon);
   moon.texture_width = 720;  // enough for the Moon's total light
   auto dome = computed(callback, [&](const algebra::Progress& progress) {
     const auto sky = almanac::sky_at(when.seen_from(asked.moon.view.observer));

@@ -211,6 +211,7 @@ class OtherKinds(unittest.TestCase):
         shot = coppermoon.Photograph(pathlib.Path("a.jpg"), numpy.datetime64("2018-07-27T20:21:45"), iso=numpy.int64(800),
                                      exposure_time_s=numpy.float32(0.5))
         self.assertEqual((shot.file, shot.iso, shot.exposure_time_s), ("a.jpg", 800, 0.5))
+        self.assertEqual(shot.instant, datetime.datetime(2018, 7, 27, 20, 21, 45, tzinfo=datetime.timezone.utc))
 
     def test_are_in_the_stub(self):
         names = {"Number": numpy.float32(1), "Whole": numpy.int64(1), "Switch": numpy.True_, "File": pathlib.Path("a")}
