@@ -223,16 +223,19 @@ void add_photograph_options(Verb& verb, Options& options) {
       "with a camera's own tone curve free")
       .within(1e-3, 10);
   add("--shutter-error", options.request.shutter_error,
-      "standard error of the logarithm of one exposure beside the night's others, 0.001 to 10")
+      "standard error of the logarithm of one exposure relative to the night's others, 0.001 to "
+      "10; "
+      "default: 0.03, for a camera's own JPEGs 0.1")
       .within(1e-3, 10);
   add("--white-balance-error", options.request.white_balance_error,
-      "standard error of red and blue over green, 0.001 to 10; default: 0.03, with a camera's own "
-      "tone curve 0.3")
+      "standard error of red and blue relative to green, 0.001 to 10; default: 0.03, for a "
+      "camera's own "
+      "JPEGs 0.3, or 0.06 to 0.2 if their header has the gains as shot")
       .within(1e-3, 10);
   add("--weather-error", options.request.weather_error,
       "standard error of the light of 30 degrees of the Earth's limb by weather, in red in usual "
       "air, 0 to 1; "
-      "default: 0.1 for a camera's own JPEGs and raw files, else 0")
+      "default: 0.2 for a camera's own JPEGs and raw files, else 0")
       .within(0, 1);
   add("--clock-error", options.clock_error_min,
       "standard error of a camera's clock [minutes], 0 to 60; the clock's own error is then found; "

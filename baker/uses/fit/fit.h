@@ -41,12 +41,14 @@ struct FitRequest {
   /// Standard error of the logarithm of exposure that a night's photographs share, 0.001 to 10. If absent, it is 0.1,
   /// or 10 for photographs with a camera's own tone curve, which leaves their exposure free.
   std::optional<double> exposure_error = {};
-  /// Standard error of the logarithm of one exposure relative to the night's others, 0.001 to 10.
+  /// Standard error of the logarithm of one exposure relative to the night's others, 0.001 to 10. If absent, it is 0.03,
+  /// or 0.1 for photographs with a camera's own tone curve.
   std::optional<double> shutter_error = {};
-  /// Standard error of the logarithms of red / green and blue / green, 0.001 to 10. If absent, it is 0.03, or 0.3 for
-  /// photographs with a camera's own tone curve.
+  /// Standard error of the logarithms of red / green and blue / green, 0.001 to 10. If absent, it is 0.03. For
+  /// photographs with a camera's own tone curve it is 0.06 if the header has the gains as shot and the camera's filters
+  /// are known, 0.2 if only the gains are known, else 0.3.
   std::optional<double> white_balance_error = {};
-  /// Relative error of the light from 30 degrees of the limb due to weather in usual air, 0 to 1. If absent, it is 0.1
+  /// Relative error of the light from 30 degrees of the limb due to weather in usual air, 0 to 1. If absent, it is 0.2
   /// for raw files and for JPEGs straight from a camera, else 0.
   std::optional<double> weather_error = {};
   /// Standard error of each camera's clock [s], 0 (exact) to 3600. If it exceeds 300, corrections of up to three times
