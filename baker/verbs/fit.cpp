@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <cmath>
+#include <map>
 #include <memory>
 #include <sstream>
 
@@ -107,12 +109,44 @@ void warn_of_offset(const Options& options, const std::string& photo,
                one_line(photo), one_line(clock.unread));
 }
 
+/// Warns of photographs that a program may have changed.
+void warn_of_editors(const Options& options) {
+  if (options.coding != texture::Coding::as_file_says) return;
+  std::optional<std::string> editor;
+  std::size_t edited = 0;
+  for (const auto& photo : options.photos)
+    if (const auto its = uses::editor_of(photo)) editor = its, ++edited;
+  if (edited > 0)
+    fmt::print(stderr,
+               "coppermoon: {} of {} photographs were written by {}, perhaps not as their camera "
+               "wrote them: errors count three times; --coding camera vouches for them\n",
+               edited, options.photos.size(), one_line(*editor));
+}
+
+/// Whether moments are taken from GPS: all photographs have its time, and no camera's clock drifts from it, which would
+/// show an old time repeated. A zone for the cameras' clocks asks for these.
+bool are_by_gps(const Options& options) try {
+  constexpr double most_drift_s = 2;
+  std::map<std::string, double> ahead_s;
+  for (const auto& photo : options.photos) {
+    const auto gps = uses::gps_clock_of(photo);
+    if (!gps || !options.zone.empty()) return false;
+    const double ahead =
+        uses::taken_at_s(photo).value_or(uses::seconds_at(*gps)) - uses::seconds_at(*gps);
+    const auto [first, added] = ahead_s.try_emplace(uses::camera_of(photo).value_or(""), ahead);
+    if (std::abs(ahead - first->second) > most_drift_s) return false;
+  }
+  return true;
+} catch (const algebra::Error&) {  // a camera's date that is none
+  return false;
+}
+
 /// Adds photographs with the times in their headers. Those without a date are left out. Throws if none has a date.
-void add_by_headers(const Options& options, Input& input) {
+void add_by_headers(const Options& options, bool by_gps, Input& input) {
   for (std::size_t i = 0; i < options.photos.size(); ++i) {
     std::optional<uses::HeaderClock> clock;
     try {
-      clock = uses::clock_of(options.photos[i]);
+      clock = by_gps ? uses::gps_clock_of(options.photos[i]) : uses::clock_of(options.photos[i]);
     } catch (const algebra::Error& error) {
       input.undated.push_back({.left_out = uses::reason_without_name(options.photos[i], error),
                                .file = options.photos[i]});
@@ -120,7 +154,7 @@ void add_by_headers(const Options& options, Input& input) {
     }
     warn_of_offset(options, options.photos[i], *clock);
     add_photograph(options, i, instant_by(*clock, options), input);
-    input.zones.push_back(zone_of(*clock, options));
+    input.zones.push_back(by_gps ? "GPS" : zone_of(*clock, options));
     input.request.half_hours_free |= input.zones.back().empty();
   }
   if (input.request.photographs.empty() && !input.undated.empty())
@@ -129,14 +163,17 @@ void add_by_headers(const Options& options, Input& input) {
 }
 
 Input input_of(const Options& options) {
-  constexpr double usual_clock_error_min = 10, farthest_clock_s = 3 * 3600;
-  const bool by_headers = options.instants == from_header;
+  constexpr double usual_clock_error_min = 10, gps_error_min = 1. / 60, farthest_clock_s = 3 * 3600;
+  const bool by_headers = options.instants == from_header,
+             by_gps = by_headers && are_by_gps(options);
   Input input{options.request, {}};
-  input.request.clock_search_s = by_headers ? farthest_clock_s : 0;
+  input.request.clock_search_s = by_headers && !by_gps ? farthest_clock_s : 0;
   input.request.clock_error_s =
-      60 * options.clock_error_min.value_or(by_headers ? usual_clock_error_min : 0);
+      60 * options.clock_error_min.value_or(by_gps       ? gps_error_min
+                                            : by_headers ? usual_clock_error_min
+                                                         : 0);
   if (by_headers) {
-    add_by_headers(options, input);
+    add_by_headers(options, by_gps, input);
   } else if (!options.photos.empty()) {
     std::vector<std::string> instants;
     std::istringstream parts(options.instants);
@@ -187,10 +224,7 @@ void run(const Options& options) {
   std::vector<std::vector<uses::MeasuredLight>> nights;
   for (const auto& night : found.nights) nights.push_back(night.light);
   for (const auto& file : options.outputs) uses::write_measured_light(file, nights);
-  std::vector<std::string> as_told;
-  for (const auto& read : found.photographs)
-    if (read.left_out.empty() && !read.curved) as_told.push_back(read.file);
-  warn_of_developers(as_told, options.coding);
+  warn_of_editors(options);
   for (const auto& night : found.nights)
     if (const auto doubt = night.curve ? doubt_of(*night.curve) : ""; !doubt.empty())
       fmt::print(stderr, "coppermoon: {}\n", doubt);
@@ -206,7 +240,7 @@ void add_photograph_options(Verb& verb, Options& options) {
   };
   add("--instants", options.instants,
       "moments of the photographs in UTC, one for all or one for each, with commas between; "
-      "from-header: as the cameras' clocks say, whose errors are then found");
+      "from-header: as GPS says, or else the cameras' clocks, whose errors are then found");
   add("--zone", options.zone,
       "time zone of the cameras' clocks, for --instants from-header, as +02:00 or Europe/Berlin; "
       "default: that in the header, else the one that the shadow on the Moon tells");

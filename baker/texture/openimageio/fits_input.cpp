@@ -87,8 +87,10 @@ Header header_of(fitsfile* file) {
   if (header.planes != 1 && header.planes != 3)
     throw Error(fmt::format("NAXIS3 = {}, allowed 1, or 3 for red, green and blue", header.planes));
   if (const auto mosaic = text_in_card(file, "BAYERPAT"); mosaic && header.planes == 1)
-    throw Error(fmt::format("BAYERPAT = {}, a mosaic of colours, allowed are colours of each pixel",
-                            *mosaic));
+    throw Error(
+        fmt::format("BAYERPAT = {}, a mosaic of colours, allowed are colours of each pixel, "
+                    "as a program that debayers writes them",
+                    *mosaic));
   const double zero = number_in_card(file, "BZERO").value_or(0),
                scale = number_in_card(file, "BSCALE").value_or(1);
   if (header.bitpix > 0 && scale == 1)
@@ -108,8 +110,9 @@ void add_cards(fitsfile* file, OIIO::ImageSpec& spec) {
     *date += 'T' + *time;
   if (date) spec.attribute("Exif:DateTimeOriginal", *date);
   spec.attribute("TIMESYS", text_in_card(file, "TIMESYS").value_or("UTC"));
-  for (const char* name : {"INSTRUME", "GAIN"})
-    if (const auto text = text_in_card(file, name)) spec.attribute(name, *text);
+  for (const auto& [theirs, name] :
+       {Named{"INSTRUME", "INSTRUME"}, Named{"EGAIN", "GAIN"}, Named{"GAIN", "GAIN"}})
+    if (const auto text = text_in_card(file, theirs)) spec.attribute(name, *text);
   for (const auto& [theirs, name] :
        {Named{"EXPOSURE", "ExposureTime"}, Named{"EXPTIME", "ExposureTime"},
         Named{"FOCRATIO", "FNumber"}, Named{"ISOSPEED", "Exif:PhotographicSensitivity"},

@@ -209,7 +209,11 @@ bool explains(const AirFit& fit) {
 
 AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progress) {
   AirFit result;
-  for (const auto& set : data) result.measurements += set.count;
+  double least_scale = 1;
+  for (const auto& set : data) {
+    result.measurements += set.count;
+    least_scale = std::max(least_scale, set.least_scale);
+  }
   const double freedom = freedom_of(result.measurements);
   result.unknowns = data.front().light.unknowns();
   auto axes = axes_over(result.unknowns, range_of(data));
@@ -219,7 +223,7 @@ AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progre
       if (progress) progress((static_cast<double>(look - 1) + part) / all);
     });
     const double least = *std::ranges::min_element(chi_squared.values()),
-                 scale = std::max(1., least / chi_squared_by_chance(freedom));
+                 scale = std::max(least_scale, least / chi_squared_by_chance(freedom));
     const auto& unknowns = unknowns_of(result.unknowns);
     const auto whole = with_prior(axes, unknowns, chi_squared, scale);
     result.posterior = posterior_over(axes, whole);

@@ -24,8 +24,9 @@ struct GoodnessOfFit {
 struct DataSet {
   FittedLight light;
   std::function<GoodnessOfFit(const algebra::Grid<double>& light)>
-      goodness;       ///< how well given light fits the data
-  std::size_t count;  ///< number of measurements
+      goodness;            ///< how well given light fits the data
+  std::size_t count;       ///< number of measurements
+  double least_scale = 1;  ///< least factor on the variances of all data that are fitted with these
 };
 
 /// Correction to be added to the times of a camera's clock.
@@ -46,7 +47,8 @@ struct AirFit {
 /// Fits the air to all data sets together. The posterior is computed on a grid over the range for which the light of
 /// all data sets is known. The grid is refined around the probable air, two to five times, until its steps are smaller
 /// than a standard deviation. All data sets must have the same unknowns. If the least χ² exceeds the degrees of freedom
-/// by more than one standard deviation, all errors are scaled up until it does not.
+/// by more than one standard deviation, all errors are scaled up until it does not, and in any case by the largest
+/// least_scale.
 AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progress = {});
 
 /// Range of the unknowns around their probable values. It extends beyond each 68 % interval by three times the

@@ -13,6 +13,7 @@
 #include "colour/camera_spectra.h"
 #include "eclipse/contacts.h"
 #include "uses/fit/night.h"
+#include "uses/fit/reading.h"
 #include "uses/picture/photo_file.h"
 
 namespace coppermoon::uses {
@@ -87,8 +88,7 @@ ByNight nights_of(const FitRequest& request, LeftOut& left_out) {
 /// Camera response for a photograph if the request names none.
 std::optional<std::string> usual_response(const EclipsePhotograph& photograph) {
   const auto camera = camera_of(photograph.file);
-  const auto coding = coding_of(photograph.file, photograph.coding);
-  const bool own_curve = coding == texture::Coding::camera;
+  const bool own_curve = is_curved(photograph);
   if (!camera || !(own_curve || texture::is_raw_file(photograph.file))) return std::nullopt;
   if (auto known = colour::spectral_camera_of(*camera)) return known;
   return own_curve ? std::optional<std::string>("canon-eos-600d") : std::nullopt;

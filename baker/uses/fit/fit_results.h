@@ -62,7 +62,7 @@ void describe(Field&& is, const ReadPhotograph& photograph) {
   is("exposure_known", if_dated(photograph.exposure_known),
      "whether its exposure was known; else any is as likely");
   is("coding", if_dated(std::string(photograph.curved ? "camera" : "known")),
-     "camera: its camera's tone curve was in question; known: it was not");
+     "camera: its tone curve was in question; known: it was not");
   is("clipped_at", algebra::if_any(photograph.clipped_at),
      "number of a FITS file that counts as clipped; none: the format's own");
   is("mirrored", if_used(photograph.registration.render_to_photo.mirrored),
@@ -81,7 +81,7 @@ void describe(Field&& is, const ClockError& clock) {
   is("add_s", clock.seconds, algebra::unit::seconds, "what is to be added to its instants");
   is("standard_error_s", clock.error_s, algebra::unit::seconds, "standard error of that");
   is("zone", algebra::if_any(clock.zone.empty() ? std::nullopt : std::optional(clock.zone)),
-     "zone in which its instants were taken");
+     "zone in which its instants were taken, or GPS");
 }
 
 template <class Field>

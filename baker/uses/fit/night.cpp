@@ -238,11 +238,13 @@ Night looked_at_again(Night night, Again why, const AirFit& fit, const algebra::
 }
 
 DataSet data_of(const Night& night) {
+  constexpr double of_edited = 9;  // errors are three times a camera's
   return {night.light,
           [&compared = night.compared](const algebra::Grid<double>& light) {
             return compared.goodness(light);
           },
-          night.compared.count()};
+          night.compared.count(),
+          std::ranges::any_of(night.readings, &Reading::edited) ? of_edited : 1};
 }
 
 std::vector<ReadPhotograph> photographs_of(const Night& night) {

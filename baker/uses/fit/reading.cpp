@@ -8,6 +8,14 @@
 namespace coppermoon::uses {
 namespace {
 
+/// Whether only shades of grey are in a picture, as a camera without filters takes it.
+bool is_grey(const texture::Image& photo) {
+  for (std::size_t i = 0; i < photo.values.size(); i += 3)
+    if (photo.values[i] != photo.values[i + 1] || photo.values[i] != photo.values[i + 2])
+      return false;
+  return true;
+}
+
 /// Exposure of a photograph as the request states it, else from the file's header; nothing if it is incomplete. If a
 /// night's exposures share an unknown factor, any constant serves as an unknown f-number, or as the ISO speed of a
 /// camera that has a gain instead.
@@ -63,10 +71,20 @@ PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& 
 /// clipped.
 constexpr float shoulder = 0.75F, linear = 0.97F;
 
+bool is_edited(const EclipsePhotograph& photograph) {
+  return photograph.coding == texture::Coding::as_file_says && editor_of(photograph.file);
+}
+
+bool is_curved(const EclipsePhotograph& photograph) {
+  return is_edited(photograph) ||
+         coding_of(photograph.file, photograph.coding) == texture::Coding::camera;
+}
+
 Reading reading_of(const FitRequest& request, const EclipsePhotograph& photograph) {
   Reading reading;
   try {
-    reading.curved = coding_of(photograph.file, photograph.coding) == texture::Coding::camera;
+    reading.edited = is_edited(photograph);
+    reading.curved = is_curved(photograph);
     auto photo = photo_light(photograph.file, photograph.coding, request.moon.response);
     reading.extent = {photo.width, photo.height};
     reading.clipped_at = clipped_at(photograph.file, photo);
@@ -76,6 +94,8 @@ Reading reading_of(const FitRequest& request, const EclipsePhotograph& photograp
         moon_part(photo, reading.curved ? static_cast<float>(colour::most_displayed)
                          : is_display_coded(photograph.file, photograph.coding) ? shoulder
                                                                                 : linear);
+    if (is_grey(photo))
+      throw algebra::Error("shades of grey, allowed are colours: red, green and blue");
     const auto as_shot = reading.curved ? as_shot_balance(photograph.file) : std::nullopt;
     if (reading.curved) reading.colours = camera_colours(request.moon.response, as_shot);
     reading.errors = errors_of(request, photograph, reading, as_shot.has_value());

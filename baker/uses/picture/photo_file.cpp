@@ -11,6 +11,7 @@
 #include <map>
 #include <regex>
 #include <span>
+#include <sstream>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -21,6 +22,7 @@
 #include "colour/camera_spectra.h"
 #include "colour/exposure.h"
 #include "texture/read_image.h"
+#include "uses/picture/photo_header.h"
 #include "uses/picture/pixels.h"
 
 namespace coppermoon::uses {
@@ -28,9 +30,17 @@ namespace {
 
 using Names = std::initializer_list<std::string_view>;
 
-/// Values in a photograph's header for the given names.
+/// Values in a photograph's header for the given names. A tag of EXIF, "Exif:ExposureTime", may be in XMP instead, of
+/// which OpenImageIO reads 1 out of "1/30".
 std::vector<std::optional<std::string>> all_in_header(const std::string& photo, Names names) {
-  return texture::read_attributes(photo, std::span(names.begin(), names.size()));
+  auto values = texture::read_attributes(photo, std::span(names.begin(), names.size()));
+  const auto header = photo_header(photo);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto name = names.begin()[i];
+    if (const auto found = header.find(name.substr(name.find(':') + 1)); found != header.end())
+      values[i] = found->second;
+  }
+  return values;
 }
 
 /// The text in a photograph's header under the first of the given names that has one.
@@ -40,13 +50,21 @@ std::optional<std::string> text_in_header(const std::string& photo, Names names)
   return std::nullopt;
 }
 
+/// The first number in a text such as "5.6", "1/30" or "800, 0".
+std::optional<double> first_number(const std::string& text) {
+  const auto first = text.substr(0, text.find_first_of(", "));
+  const auto bar = first.find('/');
+  const auto over = algebra::number_in(first.substr(0, bar)),
+             under = bar == first.npos ? 1 : algebra::number_in(first.substr(bar + 1));
+  return over && under ? std::optional(*over / *under) : std::nullopt;
+}
+
 /// The number, or first number of a list, in a photograph's header under the first of the given names that has one.
 std::optional<double> number_in_header(const std::string& photo, Names names) {
-  for (const auto& text : all_in_header(photo, names)) {
-    const auto all = text.value_or("");
-    const auto value = algebra::number_in(all.substr(0, all.find(',')));
-    if (value && *value > 0 && std::isfinite(*value)) return value;
-  }
+  for (const auto& text : all_in_header(photo, names))
+    if (const auto value = first_number(text.value_or(""));
+        value && *value > 0 && std::isfinite(*value))
+      return value;
   return std::nullopt;
 }
 
@@ -75,11 +93,6 @@ std::optional<std::string> offset_in(const std::string& text) {
                      part[4].matched ? part[4].str() : "00");
 }
 
-double seconds_at(const HeaderClock& clock) {
-  const auto when = almanac::instant_from_utc(clock.local + clock.offset.value_or("Z"));
-  return (when.tt_day + when.tt_fraction) * 86400;
-}
-
 /// Time scale of the date in a FITS file; nothing for other files.
 std::optional<std::string> time_scale_of(const std::string& photo) {
   return texture::read_attribute(photo, "TIMESYS");
@@ -103,11 +116,41 @@ HeaderClock in_utc(const HeaderClock& clock, std::string scale) {
   return {utc, "+00:00"};
 }
 
-/// Whether a photograph comes from a camera, is not a raw file, and has its numbers coded as sRGB.
-bool is_coded_by_a_camera(const std::string& photo) {
-  return uses::camera_of(photo) && !texture::is_raw_file(photo) &&
+/// Whether a photograph's numbers are coded as sRGB by what its file says.
+bool is_srgb(const std::string& photo) {
+  return !texture::is_raw_file(photo) &&
          texture::read_attribute(photo, "oiio:ColorSpace").value_or("") == "sRGB";
 }
+
+/// The program that a header names as one that made or changed the picture, if it is one of those given in lower case.
+std::optional<std::string> program_of(const std::string& photo,
+                                      std::span<const std::string_view> programs) {
+  for (const auto& text :
+       all_in_header(photo, {"Software", "ProcessingSoftware", "CreatorTool", "softwareAgent"})) {
+    auto small = text.value_or("");
+    std::ranges::transform(small, small.begin(), [](unsigned char letter) {
+      return static_cast<char>(std::tolower(letter));
+    });
+    if (std::ranges::any_of(
+            programs, [&](std::string_view program) { return small.find(program) != small.npos; }))
+      return text;
+  }
+  return std::nullopt;
+}
+
+/// Programs that develop raw files.
+constexpr std::array<std::string_view, 18> developers{
+    "acdsee",      "adobe",     "affinity",   "astro pixel processor",
+    "capture one", "darktable", "digikam",    "dxo",
+    "gimp",        "iridient",  "lightroom",  "luminar",
+    "on1 ",        "photoshop", "pixinsight", "rawtherapee",
+    "siril",       "ufraw"};
+
+/// Programs that change pictures, or at least write them anew.
+constexpr std::array<std::string_view, 18> editors{
+    "autostakkert", "corel",      "faststone",  "imagemagick", "irfanview",     "paint shop",
+    "paint.net",    "photomatix", "photoscape", "picasa",      "pixelmator",    "polarr",
+    "registax",     "sequator",   "snapseed",   "startools",   "windows photo", "xnview"};
 
 /// ISO speed. EXIF's first tag for it has only 16 bits. If it holds 65535, another tag gives the true, faster speed.
 std::optional<double> iso_of(const std::string& photo) {
@@ -121,7 +164,7 @@ std::optional<double> iso_of(const std::string& photo) {
 
 /// The APEX value that a header has under a name.
 std::optional<double> apex_of(const std::string& photo, std::string_view name) {
-  const auto stops = algebra::number_in(texture::read_attribute(photo, name).value_or(""));
+  const auto stops = first_number(text_in_header(photo, {name}).value_or(""));
   constexpr double most = 40;  // cameras without a lens write 2³¹
   return stops && std::abs(*stops) < most ? stops : std::nullopt;
 }
@@ -196,8 +239,13 @@ std::optional<std::string> camera_of(const std::string& photo) {
   return name.empty() ? text_in_header(photo, {"INSTRUME"}) : std::optional(name);
 }
 
+double seconds_at(const HeaderClock& clock) {
+  const auto when = almanac::instant_from_utc(clock.local + clock.offset.value_or("Z"));
+  return (when.tt_day + when.tt_fraction) * 86400;
+}
+
 bool white_balance_is_fixed(const std::string& photo) {
-  return texture::read_attribute(photo, "Exif:WhiteBalance").value_or("") == "1";
+  return text_in_header(photo, {"Exif:WhiteBalance"}) == "1";
 }
 
 std::optional<HeaderClock> clock_in(const std::string& date, const std::string& offset) {
@@ -234,8 +282,8 @@ HeaderClock clock_of(const std::string& photo) {
   for (const auto& text : all_in_header(
            photo, {"Exif:OffsetTimeOriginal", "Exif:OffsetTimeDigitized", "Exif:OffsetTime"}))
     if (text && offset.empty() && !is_unknown(*text)) offset = *text;
-  for (const auto& date :
-       all_in_header(photo, {"Exif:DateTimeOriginal", "Exif:DateTimeDigitized", "capDate"}))
+  for (const auto& date : all_in_header(
+           photo, {"Exif:DateTimeOriginal", "Exif:DateTimeDigitized", "DateCreated", "capDate"}))
     if (const auto clock = clock_named(photo, date.value_or(""), offset)) {
       const auto scale = time_scale_of(photo);
       return scale ? in_utc(*clock, *scale) : *clock;
@@ -243,33 +291,46 @@ HeaderClock clock_of(const std::string& photo) {
   throw algebra::Error(fmt::format("{}: its header does not say when it was taken", photo));
 }
 
+std::optional<HeaderClock> gps_clock_of(const std::string& photo) try {
+  const auto told = all_in_header(photo, {"GPSDateStamp", "GPSTimeStamp"});
+  std::array<std::string, 3> parts;
+  std::istringstream text(told[1].value_or(""));
+  text >> parts[0] >> parts[1] >> parts[2];
+  const auto hour = first_number(parts[0]), minute = first_number(parts[1]),
+             second = first_number(parts[2]);
+  if (!hour || !minute || !second) return clock_in(told[1].value_or(""), "Z");  // as in XMP
+  return clock_in(fmt::format("{} {:02.0f}:{:02.0f}:{:02.0f}", told[0].value_or(""), *hour, *minute,
+                              std::floor(*second)),
+                  "Z");
+} catch (const algebra::Error&) {
+  return std::nullopt;
+}
+
 std::optional<std::string> developer_of(const std::string& photo) {
-  constexpr std::array<std::string_view, 18> programs{
-      "acdsee",      "adobe",     "affinity",   "astro pixel processor",
-      "capture one", "darktable", "digikam",    "dxo",
-      "gimp",        "iridient",  "lightroom",  "luminar",
-      "on1 ",        "photoshop", "pixinsight", "rawtherapee",
-      "siril",       "ufraw"};
-  auto software = text_in_header(photo, {"Software"});
-  if (!software || !is_coded_by_a_camera(photo)) return std::nullopt;
-  auto small = *software;
-  std::ranges::transform(small, small.begin(), [](unsigned char letter) {
-    return static_cast<char>(std::tolower(letter));
-  });
-  const bool named = std::ranges::any_of(
-      programs, [&](std::string_view program) { return small.find(program) != small.npos; });
-  return named ? software : std::nullopt;
+  if (!uses::camera_of(photo) || !is_srgb(photo)) return std::nullopt;
+  if (text_in_header(photo, {"AlreadyApplied"}) == "True") return "Adobe Camera Raw";
+  return program_of(photo, developers);
+}
+
+std::optional<std::string> editor_of(const std::string& photo) {
+  constexpr double floating_bits = 32;
+  const auto bits = first_number(texture::read_attribute(photo, "oiio:BitsPerSample").value_or(""));
+  const bool whole_tiff = bits && *bits < floating_bits && !texture::is_raw_file(photo);
+  if (auto developer = developer_of(photo); developer || !(is_srgb(photo) || whole_tiff))
+    return developer;
+  auto program = program_of(photo, developers);
+  return program ? program : program_of(photo, editors);
 }
 
 texture::Coding coding_of(const std::string& photo, texture::Coding told) {
-  const bool by_camera = told == texture::Coding::as_file_says && is_coded_by_a_camera(photo);
+  const bool by_camera =
+      told == texture::Coding::as_file_says && camera_of(photo) && is_srgb(photo);
   return by_camera && !developer_of(photo) ? texture::Coding::camera : told;
 }
 
 bool is_display_coded(const std::string& photo, texture::Coding told) {
   return coding_of(photo, told) == texture::Coding::srgb ||
-         (coding_of(photo, told) == texture::Coding::as_file_says && !texture::is_raw_file(photo) &&
-          texture::read_attribute(photo, "oiio:ColorSpace").value_or("") == "sRGB");
+         (coding_of(photo, told) == texture::Coding::as_file_says && is_srgb(photo));
 }
 
 std::optional<colour::Exposure> exif_of(const std::string& photo) {

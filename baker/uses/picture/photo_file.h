@@ -36,6 +36,9 @@ struct HeaderClock {
   bool operator==(const HeaderClock&) const = default;
 };
 
+/// A clock's reading in seconds on a uniform scale, as if in UTC where its zone is unknown.
+double seconds_at(const HeaderClock& clock);
+
 /// Reads a header's date and zone, as EXIF defines them or as cameras write them.
 ///
 /// A date is "2019:01:21 05:12:16". It may have - or / between its numbers, a T before the time, no seconds, or a zone
@@ -54,9 +57,18 @@ std::optional<HeaderClock> clock_in(const std::string& date, const std::string& 
 /// Source  FITS Standard 4.0 (2018), 9.2.1
 HeaderClock clock_of(const std::string& photo);
 
-/// The program that developed a camera's photograph into sRGB, as named by Software in the header. The program, not the
-/// camera, has then chosen the tone curve. Nothing for any other photograph.
+/// When a photograph was taken, by the satellites of GPS, in UTC; nothing if its header does not say. A receiver that
+/// has lost the satellites may repeat an earlier time.
+std::optional<HeaderClock> gps_clock_of(const std::string& photo);
+
+/// The program that developed a camera's photograph into sRGB, if its header names one (EXIF's Software, XMP's
+/// CreatorTool and history, settings of Camera Raw that are applied): the numbers are then the program's, not the
+/// camera's own. Nothing for any other photograph.
 std::optional<std::string> developer_of(const std::string& photo);
+
+/// The program that a header names as having developed, edited or only saved a picture of whole numbers, whether it
+/// names a camera or not: no known tone curve leads from such numbers to light. Nothing for raw files.
+std::optional<std::string> editor_of(const std::string& photo);
 
 /// Coding of a photograph's numbers, as requested. If the request leaves it to the file, it is the camera's tone
 /// curve, provided that the header names a camera and the numbers are coded as sRGB. This does not apply to raw files,

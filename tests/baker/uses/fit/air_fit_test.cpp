@@ -31,7 +31,8 @@ FittedLight light_of_the_shadow(const std::optional<AirRange>& range = {}) {
 }
 
 /// Air found where X, Y and Z of all places are those of some light, with a relative error.
-AirFit fitted_to(const FittedLight& light, const algebra::Grid<double>& truth, double error) {
+AirFit fitted_to(const FittedLight& light, const algebra::Grid<double>& truth, double error,
+                 double least_scale = 1) {
   const DataSet data{light,
                      [&](const algebra::Grid<double>& found) {
                        double sum = 0;
@@ -40,7 +41,7 @@ AirFit fitted_to(const FittedLight& light, const algebra::Grid<double>& truth, d
                              std::pow(std::log(found.values()[i] / truth.values()[i]) / error, 2);
                        return GoodnessOfFit{sum};
                      },
-                     3 * bins};
+                     3 * bins, least_scale};
   return fitted_air(std::span(&data, 1));
 }
 
@@ -62,6 +63,17 @@ TEST(AirFit, IntervalsAreNoWiderThanTheErrors) {
         "steps of one deviation, between which the density is linear, widen by a "
         "tenth; light is not linear over the wide interval")
         << a;
+}
+
+TEST(AirFit, OfEditedPhotographsIsThatOfLargerErrors) {
+  const auto light = light_of_the_shadow();
+  const auto truth = light.at({4e-6, 0.4, 300});
+  const auto edited = fitted_to(light, truth, 0.002, 9), larger = fitted_to(light, truth, 0.006);
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto &one = edited.posterior.estimates[a], &other = larger.posterior.estimates[a];
+    EXPECT_WITHIN(one.low, other.low, 1e-6 * std::abs(other.low), "rounding") << a;
+    EXPECT_WITHIN(one.high, other.high, 1e-6 * std::abs(other.high), "rounding") << a;
+  }
 }
 
 /// A fit whose intervals are as wide as said, of logarithms of aerosol and cloud.

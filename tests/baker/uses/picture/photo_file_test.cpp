@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/photo_file.h"
 
+#include <exiv2/exiv2.hpp>
+#include <map>
+
 #include "baker/texture/fits_bytes.h"
 #include "baker/texture/scratch_folder.h"
 #include "support/testing.h"
@@ -130,6 +133,9 @@ TEST_F(Fits, SayWhenTheyWereTakenInUtcOrInAnotherScale) {
   EXPECT_EQ(clock("TIMESYS = 'LOCAL'\n"), (HeaderClock{"2022-05-16T04:12:41", {}}));
   EXPECT_ERROR(clock("TIMESYS = 'TCB'\n"), "TIMESYS = TCB, allowed UTC");
   EXPECT_ERROR(clock_of(of("")), "does not say when it was taken");
+  const std::string day = "DATE-OBS= '2022-05-16'\n";
+  EXPECT_EQ(clock_of(of(day + "TIME-OBS= '04:12:41.5'\n")), clock(""));
+  EXPECT_ERROR(clock_of(of(day)), "date = 2022-05-16, allowed YYYY:MM:DD HH:MM:SS");
 }
 
 TEST_F(Fits, HaveExactExposuresAndAGain) {
@@ -141,6 +147,8 @@ TEST_F(Fits, HaveExactExposuresAndAGain) {
   EXPECT_EQ(found.iso, std::nullopt);
   EXPECT_EQ(found.gain, "120");
   EXPECT_EQ(camera_of(photo), "ZWO ASI294MC");
+  EXPECT_EQ(settings_of(of("EXPOSURE= 0.5\nEGAIN   = 1.25\n")).time_s, 0.5);
+  EXPECT_EQ(settings_of(of("EXPOSURE= 0.5\nEGAIN   = 1.25\n")).gain, "1.25");
 }
 
 TEST_F(Fits, AreClippedAtDatamaxElseAtTheirGreatestNumber) {
@@ -182,6 +190,82 @@ TEST_F(Developer, OfACamerasPhotographSaysItsCoding) {
   }
   EXPECT_EQ(developer_of(of({{"Software", "darktable 4.2.1"}})), std::nullopt)
       << "no camera is named";
+}
+
+TEST_F(Developer, OfAnyPictureMayBeAnEditor) {
+  const auto editor = [&](const texture::Attributes& header) { return editor_of(of(header)); };
+  EXPECT_EQ(editor({{"Make", "NIKON"}, {"Software", "paint.net 4.3.10"}}), "paint.net 4.3.10");
+  EXPECT_EQ(editor({{"Software", "Adobe Photoshop CS6"}}), "Adobe Photoshop CS6");
+  EXPECT_EQ(editor({{"Make", "Canon"}, {"Software", "darktable 4.2.1"}}), "darktable 4.2.1");
+  EXPECT_EQ(editor({{"Make", "Canon"}, {"Software", "Firmware Version 1.1.1"}}), std::nullopt);
+  EXPECT_EQ(
+      coding_of(of({{"Make", "NIKON"}, {"Software", "paint.net"}}), texture::Coding::as_file_says),
+      texture::Coding::camera)
+      << "only a converter develops";
+}
+
+/// Pictures whose header Exiv2 wrote.
+class Header : public ScratchFolder {
+ protected:
+  std::string with(const std::map<std::string, std::string>& exif,
+                   const std::map<std::string, std::string>& xmp = {}) const {
+    const auto file = in_folder("a.png").string();
+    texture::write_png(file, texture::Image(4, 4, {"R", "G", "B"}), 8, {});
+    const auto image = Exiv2::ImageFactory::open(file);
+    for (const auto& [key, text] : exif) image->exifData()[key].setValue(text);
+    for (const auto& [key, text] : xmp) image->xmpData()[key].setValue(text);
+    image->writeMetadata();
+    return file;
+  }
+};
+
+TEST_F(Header, MayBeExifOrXmpInAnyFile) {
+  for (const auto& photo : {with({{"Exif.Image.Make", "Canon"},
+                                  {"Exif.Photo.DateTimeOriginal", date},
+                                  {"Exif.Photo.OffsetTimeOriginal", "+03:00"},
+                                  {"Exif.Photo.ExposureTime", "1/32"},
+                                  {"Exif.Photo.FNumber", "8/1"},
+                                  {"Exif.Photo.ISOSpeedRatings", "800"}}),
+                            with({}, {{"Xmp.tiff.Make", "Canon"},
+                                      {"Xmp.exif.DateTimeOriginal", local + "+03:00"},
+                                      {"Xmp.exif.ExposureTime", "1/32"},
+                                      {"Xmp.exif.FNumber", "8/1"},
+                                      {"Xmp.exif.ISOSpeedRatings", "800"}})}) {
+    EXPECT_EQ(camera_of(photo), "Canon");
+    EXPECT_EQ(clock_of(photo), (HeaderClock{local, "+03:00"}));
+    const auto exposure = exif_of(photo).value();
+    EXPECT_EQ(exposure.time_s, 1. / 32);
+    EXPECT_EQ(exposure.f_number, 8);
+    EXPECT_EQ(exposure.iso, 800);
+  }
+}
+
+TEST_F(Header, NamesTheProgramThatDeveloped) {
+  const std::string lightroom = "Adobe Photoshop Lightroom Classic 13.2 (Windows)";
+  EXPECT_EQ(
+      developer_of(with({{"Exif.Image.Make", "Canon"}}, {{"Xmp.xmp.CreatorTool", lightroom}})),
+      lightroom);
+  EXPECT_EQ(
+      developer_of(with({{"Exif.Image.Make", "Canon"}}, {{"Xmp.crs.AlreadyApplied", "True"}})),
+      "Adobe Camera Raw");
+  EXPECT_EQ(
+      developer_of(with({{"Exif.Image.Make", "Canon"}}, {{"Xmp.crs.AlreadyApplied", "False"}})),
+      std::nullopt)
+      << "settings kept beside a camera's own numbers";
+}
+
+TEST_F(Header, SaysWhenItWasByGps) {
+  const HeaderClock utc{local, "+00:00"};
+  EXPECT_EQ(gps_clock_of(with({{"Exif.GPSInfo.GPSDateStamp", "2019:01:21"},
+                               {"Exif.GPSInfo.GPSTimeStamp", "5/1 12/1 1699/100"}})),
+            utc);
+  EXPECT_EQ(gps_clock_of(with({}, {{"Xmp.exif.GPSTimeStamp", "2019-01-21T05:12:16Z"}})), utc);
+  for (const char* day : {"", "2019:13:21", "0000:00:00"})
+    EXPECT_EQ(gps_clock_of(with({{"Exif.GPSInfo.GPSDateStamp", day},
+                                 {"Exif.GPSInfo.GPSTimeStamp", "5/1 12/1 16/1"}})),
+              std::nullopt)
+        << day;
+  EXPECT_EQ(gps_clock_of(with({{"Exif.Photo.DateTimeOriginal", date}})), std::nullopt);
 }
 
 TEST_F(Settings, OfOurOwnFilesStayAsTheyWereAskedFor) {

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "uses/picture/photo_header.h"
+
+#include <exception>
+#include <exiv2/exiv2.hpp>
+#include <mutex>
+
+namespace coppermoon::uses {
+
+PhotoHeader photo_header(const std::string& photo) try {
+  static std::mutex one_at_a_time;  // Exiv2 sets up its reader of XMP when it is first used
+  const std::scoped_lock lock(one_at_a_time);
+  Exiv2::LogMsg::setLevel(Exiv2::LogMsg::mute);
+  const auto image = Exiv2::ImageFactory::open(photo);
+  image->readMetadata();
+  PhotoHeader header;
+  for (const auto& one : image->exifData()) {
+    const auto group = one.groupName();
+    const bool bytes = one.typeId() == Exiv2::undefined || one.typeId() == Exiv2::unsignedByte;
+    if (!bytes && (group == "Image" || group == "Photo" || group == "GPSInfo"))
+      header.emplace(one.tagName(), one.toString());
+  }
+  for (const auto& one : image->xmpData()) {
+    const auto key =
+        one.key();  // "Xmp.exif.ExposureTime", "Xmp.xmpMM.History[1]/stEvt:softwareAgent"
+    header.emplace(key.substr(key.find_last_of(".:") + 1), one.toString());
+  }
+  return header;
+} catch (const std::exception&) {  // a file without a header that can be read
+  return {};
+}
+
+}  // namespace coppermoon::uses
