@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "colour/tone_curve.h"
-#include "uses/fit/camera_colours.h"
+#include "uses/picture/camera_colours.h"
 #include "uses/fit/moon_in_photograph.h"
 
 namespace coppermoon::uses {
