@@ -20,6 +20,8 @@
 #include "texture/write_image.h"
 #include "uses/compare/comparison.h"
 #include "uses/compare/comparison_sheet.h"
+#include "uses/picture/as_shot_balance.h"
+#include "uses/picture/camera_colours.h"
 #include "uses/picture/lit_scene.h"
 #include "uses/picture/photo_file.h"
 #include "uses/picture/picture_parameters.h"
@@ -64,11 +66,13 @@ StillFlags still_flags_of(const std::string& file) {
   return flags;
 }
 
-/// The sky and camera with which a frame was rendered, and the amount of glow from the camera's lens.
+/// Sky and camera of a frame, the glow that the camera adds around bright parts of a picture, and the response through
+/// which its light was seen.
 struct FrameGeometry {
   almanac::SkyState sky;
   povray_scenes::SceneCamera camera;
   double glow = 0;
+  std::optional<std::string> response = {};
 };
 
 /// Geometry of a frame, from the recipe in the header of the frame itself or of its scene's texture.
@@ -80,7 +84,8 @@ FrameGeometry geometry_of(const std::string& file) {
   const auto sky = almanac::sky_at(instant_of(flags.moon.moment, flags.view.observer));
   const auto view = uses::seen_through(flags.camera, flags.view);
   const auto camera = uses::camera_of(flags.camera);
-  return {sky, uses::view_for_frame(view, sky).view.camera, camera ? camera->glow : 0};
+  return {sky, uses::view_for_frame(view, sky).view.camera, camera ? camera->glow : 0,
+          flags.moon.request.response};
 }
 
 /// Reads the light of a render and converts it to linear Rec.709 from the colour space that its header names.
@@ -145,12 +150,33 @@ void describe(Field&& is, const Exposed& exposed) {
   is("iso", of_header(&colour::Exposure::iso), "ISO speed by the header");
 }
 
-/// Result of comparing a photograph with a render, and how the photograph was read.
+/// Gains of red and blue with which a camera wrote a photograph.
+struct WhiteBalance {
+  glm::dvec3 fitted{1};
+  std::optional<glm::dvec3> as_shot = {};
+};
+
+template <class Field>
+void describe(Field&& is, const WhiteBalance& balance) {
+  const auto as_shot = [&](int k) {
+    return algebra::if_any(balance.as_shot ? std::optional((*balance.as_shot)[k]) : std::nullopt);
+  };
+  is.a("WhiteBalance",
+       "Gains of a camera's red and blue channel over those that make daylight white, green's "
+       "being 1.");
+  is("red", balance.fitted.r, "factor of red that suits best");
+  is("blue", balance.fitted.b, "factor of blue that suits best");
+  is("as_shot_red", as_shot(0), "factor of red by the maker's notes");
+  is("as_shot_blue", as_shot(2), "factor of blue by the maker's notes");
+}
+
+/// The comparison, and how the photograph was read.
 struct Found {
   almanac::Instant when;
   std::optional<colour::Exposure> exif;
   texture::Coding coding = texture::Coding::as_file_says;  ///< how the photograph was decoded
   uses::Comparison comparison;
+  std::optional<WhiteBalance> balance = {};  ///< of a photograph that its camera wrote
 
   Exposed exposed() const { return {exif, comparison.exposure, comparison.fitted_exposure}; }
 };
@@ -188,7 +214,11 @@ void describe(Field&& is, const Document& all) {
   is("instant", found.when, "the moment, UTC");
   is("registration", Placed{comparison.registration}, "where the render lies in the photograph");
   is("exposure", found.exposed(), "exposure of the photograph");
-  is("light", Coded{found.coding, comparison.curve}, "how its numbers stand for light");
+  is("light",
+     Coded{found.coding,
+           comparison.writing ? std::optional(comparison.writing->curve) : std::nullopt},
+     "how its numbers stand for light");
+  is("white_balance", algebra::if_any(found.balance), "how its camera weighted its channels");
   is(
       "bins", [&] { return std::vector(differences.begin(), differences.end() - 1); },
       "steps of distance from the shadow's axis");
@@ -210,7 +240,7 @@ std::string coding_in_words(const Found& found) {
     default:
       return "as the file says";
   }
-  return "its camera's, " + in_words(*found.comparison.curve);
+  return "its camera's, " + in_words(found.comparison.writing->curve);
 }
 
 std::string number_or_dash(const std::optional<double>& value, const char* format) {
@@ -240,6 +270,12 @@ void print_table(const Options& options, const Found& found) {
                                       found.exposed().stops_of_fit())
                         : "");
   fmt::print("tone curve: {}\n", coding_in_words(found));
+  if (const auto& balance = found.balance)
+    fmt::print("white balance: red {:.3f}, blue {:.3f} of daylight's{}\n", balance->fitted.r,
+               balance->fitted.b,
+               balance->as_shot ? fmt::format("; as shot {:.3f}, {:.3f}", balance->as_shot->r,
+                                              balance->as_shot->b)
+                                : "");
   fmt::print("{:>15} {:>9} {:>8} {:>8}  {:>13}  {:>13} {:>8}\n", "axis [km]", "pixels", "clipped",
              "stops", "photo u' v'", "render u' v'", "dE2000");
   for (const auto& row : found.comparison.differences) print_line(row);
@@ -276,17 +312,24 @@ void run(const Options& options) {
   const auto exif = exif_to_use(options, coding);
   warn_of_another_camera(options.render, options.response);
   warn_of_developers({options.photo}, options.coding);
-  const auto [sky, camera, glow] =
+  const auto [sky, camera, glow, of_frame] =
       geometry_of(options.recipe_in.empty() ? options.render : options.recipe_in);
   const auto photo = uses::photo_light(options.photo, coding, options.response),
              frame = read_render(options, camera);
-  const Found found{sky.when, exif, coding,
-                    uses::compared(photo, frame, sky, camera,
-                                   {exif, coding == texture::Coding::camera, glow, options.bins})};
+  const auto as_shot = uses::as_shot_balance(options.photo);
+  std::optional<uses::CameraColours> colours;
+  if (coding == texture::Coding::camera)
+    colours = uses::camera_colours(options.response ? options.response : of_frame, as_shot);
+  Found found{sky.when, exif, coding,
+              uses::compared(photo, frame, sky, camera, {exif, colours, glow, options.bins})};
+  if (colours)
+    found.balance = {found.comparison.writing->colours.gains, colours->gains == glm::dvec3(1)
+                                                                  ? std::nullopt
+                                                                  : std::optional(colours->gains)};
   if (!options.output.empty())
     texture::write_png(options.output, uses::comparison_sheet(photo, found.comparison), 8);
-  if (const auto& curve = found.comparison.curve)
-    if (const auto doubt = doubt_of(*curve); !doubt.empty())
+  if (const auto& writing = found.comparison.writing)
+    if (const auto doubt = doubt_of(writing->curve); !doubt.empty())
       fmt::print(stderr, "coppermoon: {}\n", doubt);
   if (options.csv)
     fmt::print("{}", result::as_csv(found.comparison.differences));

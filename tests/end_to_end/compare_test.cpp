@@ -202,6 +202,10 @@ TEST_F(Compare, FindsTheToneCurveOfACamera) {
   const auto found = compared("photo.jpg frame.exr --bins 6");
   EXPECT_EQ(found["light"]["coding"], "camera");
   EXPECT_EQ(found["light"]["tone_curve"].size(), 3U);
+  for (const char* channel : {"red", "blue"})
+    EXPECT_WITHIN(found["white_balance"][channel].get<double>(), 1, 0.1,
+                  "each step of light has an error of 3 %, and the curve's toe, 10 %, is free");
+  EXPECT_FALSE(found["white_balance"].contains("as_shot_red")) << "no maker's notes";
   for (const auto& bin : found["bins"])
     EXPECT_WITHIN(
         bin["difference_stops"].get<double>(), 0, 0.2,
@@ -210,6 +214,7 @@ TEST_F(Compare, FindsTheToneCurveOfACamera) {
         << bin;
   const auto as_srgb = compared("photo.jpg frame.exr --bins 6 --coding srgb");
   EXPECT_EQ(as_srgb["light"]["coding"], "srgb");
+  EXPECT_FALSE(as_srgb.contains("white_balance")) << "colours are compared as they are";
   double most = 0;
   for (const auto& bin : as_srgb["bins"])
     most = std::max(most, std::abs(bin["difference_stops"].get<double>()));

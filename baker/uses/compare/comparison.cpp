@@ -139,36 +139,44 @@ std::optional<double> axis_distance_km(const almanac::SkyState& sky,
   return algebra::in_kilometres(eclipse::place_of_ground(axis, sky, *ground).axis_distance);
 }
 
-/// Pixels in the Moon's disc. In a large photograph, rows and columns are skipped to leave about a million pixels.
+/// Light of a photograph over the disc, averaged over square blocks of pixels: no larger than the render's pixels, unless
+/// the photograph has more than a million blocks.
 Pixels shared_pixels(const texture::Image& photo, const texture::Image& render,
                      const almanac::SkyState& sky, const povray_scenes::SceneCamera& camera,
                      const colour::Similarity& render_to_photo) {
   constexpr double enough = 1e6;
   const auto axis = eclipse::shadow_axis(sky);
   const auto sight = povray_scenes::sight_of(camera);
-  const auto back = colour::inverse(render_to_photo);
   const float clipped = of_brightest * brightest_of(photo);
-  const std::array channels{channel_of(render, 0), channel_of(render, 1), channel_of(render, 2)};
-  const std::array there{colour::Resampled(channels[0], render_to_photo),
-                         colour::Resampled(channels[1], render_to_photo),
-                         colour::Resampled(channels[2], render_to_photo)};
   const auto width = static_cast<double>(camera.width), height = static_cast<double>(camera.height);
-  const auto step =
-      static_cast<std::size_t>(std::max(1., std::sqrt(static_cast<double>(photo.width) *
-                                                      static_cast<double>(photo.height) / enough)));
+  const auto side = static_cast<std::size_t>(std::max(
+      {1., render_to_photo.scale,
+       std::sqrt(static_cast<double>(photo.width) * static_cast<double>(photo.height) / enough)}));
+  const auto to_blocks =
+      colour::composed(render_to_photo, {.scale = 1 / static_cast<double>(side)});
+  const auto back = colour::inverse(to_blocks);
+  const std::array channels{channel_of(render, 0), channel_of(render, 1), channel_of(render, 2)};
+  const std::array there{colour::Resampled(channels[0], to_blocks),
+                         colour::Resampled(channels[1], to_blocks),
+                         colour::Resampled(channels[2], to_blocks)};
   Pixels pixels;
-  for (std::size_t r = 0; r < photo.height; r += step)
-    for (std::size_t c = 0; c < photo.width; c += step) {
+  for (std::size_t r = 0; r < photo.height / side; ++r)
+    for (std::size_t c = 0; c < photo.width / side; ++c) {
       const auto from =
           colour::moved(back, {static_cast<double>(c) + 0.5, static_cast<double>(r) + 0.5});
       if (from.x < 1 || from.y < 1 || from.x > width - 1 || from.y > height - 1) continue;
       const auto distance_km = axis_distance_km(sky, axis, sight, from);
       if (!distance_km) continue;
-      const auto seen = pixel_of(photo, r, c);
-      pixels.push_back({*distance_km,
-                        seen,
-                        {there[0].at(r, c), there[1].at(r, c), there[2].at(r, c)},
-                        any_channel_reaches(seen, clipped)});
+      SharedPixel shared{*distance_km,
+                         glm::dvec3(0),
+                         {there[0].at(r, c), there[1].at(r, c), there[2].at(r, c)},
+                         false};
+      for (std::size_t i = 0; i < side * side; ++i) {
+        const auto seen = pixel_of(photo, r * side + i / side, c * side + i % side);
+        shared.photo += seen / static_cast<double>(side * side);
+        shared.clipped |= any_channel_reaches(seen, clipped);
+      }
+      pixels.push_back(shared);
     }
   return pixels;
 }
@@ -190,53 +198,49 @@ double fitted_exposure(const Pixels& pixels) {
   return median(ratios);
 }
 
-/// Fits the camera's tone curve to the displayed pixels. Exposure and colour balance are fitted too. The pixels are
-/// binned by the render's light, and each bin is assumed to have an error of 3 %. The curve also absorbs errors of the
-/// render in bright and dark parts, as far as the curves of real cameras allow.
-colour::ToneCurve fitted_curve(const Pixels& pixels) {
-  constexpr double step = 0.1, error = 0.03, unknown = 10, of_colours = 0.3;
-  constexpr std::size_t many = 50, least = 3;
-  std::map<std::pair<long, int>, std::vector<double>>
-      displayed;  // [bin of the render's light, channel]
-  for (const auto& pixel : pixels)
-    for (int k = 0; k < 3; ++k)
-      if (!pixel.clipped && pixel.render_cd_m2[k] > 0)
-        displayed[{std::lround(std::log(pixel.render_cd_m2[k]) / step), k}].push_back(
-            pixel.photo[k]);
-  using Vector = Eigen::Vector<double, 3 + colour::tone_numbers>;
-  Eigen::Matrix<double, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime> normal;
-  normal.setIdentity();  // Gaussian prior of unit variance
-  Vector sums = Vector::Zero();
-  std::size_t steps = 0;
-  for (auto& [light, values] : displayed) {
-    const double middle = median(values);
-    if (values.size() < many || middle <= 0 || middle >= colour::most_displayed) continue;
-    const double residual = std::log(middle) + colour::tone_logarithm({}, middle) -
-                            step * static_cast<double>(light.first);
-    Vector row = Vector::Zero();
-    row[0] = unknown;
-    if (light.second != 1) row[1 + light.second / 2] = of_colours;
-    std::ranges::copy(colour::tone_derivatives(middle), row.begin() + 3);
-    normal += row * row.transpose() / (error * error);
-    sums += row * residual / (error * error);
-    ++steps;
-  }
-  if (steps < least)
-    throw algebra::Error(fmt::format(
-        "{} steps of light to find a tone curve by, allowed {} or more: too much of the "
-        "photograph is clipped or black",
-        steps, least));
-  const Vector found = normal.llt().solve(sums);
-  colour::ToneCurve curve;
-  std::transform(found.begin() + 3, found.end(), curve.numbers.begin(), std::negate());
-  return curve;
+/// Light of a render as a camera writes it, linear Rec.709.
+glm::dvec3 written(const CameraColours& colours, const glm::dvec3& rgb) {
+  const auto xyz = xyz_from_rgb() * rgb;
+  const auto by = rec709_by(colours, std::array{xyz.x, xyz.y, xyz.z}, 0);
+  return {by[0], by[1], by[2]};
 }
 
-/// Undoes the camera's tone curve, so that the photograph's pixels become scene-linear.
-void undo(const colour::ToneCurve& curve, Pixels& pixels) {
-  const colour::ToneTable table(curve);
-  for (auto& pixel : pixels)
+constexpr double step_of_light = 0.1;  // in the logarithm
+
+/// A step of the light that a camera writes in one channel.
+struct LightStep {
+  std::vector<double> displayed;
+  double of_red = 0, of_blue = 0;  ///< sum of the shares that come from the camera's red and blue
+};
+
+/// Steps of light, by [logarithm in steps, channel].
+std::map<std::pair<long, int>, LightStep> light_steps(const Pixels& pixels,
+                                                      const CameraColours& colours) {
+  std::map<std::pair<long, int>, LightStep> steps;
+  for (const auto& pixel : pixels) {
+    if (pixel.clipped) continue;
+    const auto xyz = xyz_from_rgb() * pixel.render_cd_m2;
+    for (int k = 0; k < 3; ++k) {
+      const auto parts =
+          parts_of(static_cast<std::size_t>(k), colours, std::array{xyz.x, xyz.y, xyz.z});
+      const double light = parts.r + parts.g + parts.b;
+      if (!(light > 0)) continue;
+      auto& step = steps[{std::lround(std::log(light) / step_of_light), k}];
+      step.displayed.push_back(pixel.photo[k]);
+      step.of_red += parts.r / light;
+      step.of_blue += parts.b / light;
+    }
+  }
+  return steps;
+}
+
+/// Makes displayed light scene-linear, and the render what the camera writes of it.
+void undo(const CameraWriting& writing, Pixels& pixels) {
+  const colour::ToneTable table(writing.curve);
+  for (auto& pixel : pixels) {
     for (int k = 0; k < 3; ++k) pixel.photo[k] = double{table(static_cast<float>(pixel.photo[k]))};
+    pixel.render_cd_m2 = written(writing.colours, pixel.render_cd_m2);
+  }
 }
 
 }  // namespace
@@ -287,10 +291,56 @@ std::vector<Difference> differences(const Pixels& pixels, double exposure, std::
   return made;
 }
 
+CameraWriting fitted_writing(const Pixels& pixels, const CameraColours& colours) {
+  constexpr double error = 0.03, unknown = 10, of_colours = 0.3;
+  constexpr double settled = 1e-3, most_change = 0.3;
+  constexpr std::size_t many = 10, least = 3, most_rounds = 20;
+  using Vector = Eigen::Vector<double, 3 + colour::tone_numbers>;
+  CameraWriting found{{}, colours};
+  auto& gains = found.colours.gains;
+  for (std::size_t round = 0; round < most_rounds; ++round) {
+    Eigen::Matrix<double, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime> normal;
+    normal.setIdentity();  // unit Gaussian prior
+    Vector sums = Vector::Zero();
+    sums[1] = std::log(colours.gains.r / gains.r) / of_colours;
+    sums[2] = std::log(colours.gains.b / gains.b) / of_colours;
+    std::size_t steps = 0;
+    for (auto& [light, step] : light_steps(pixels, found.colours)) {
+      const auto count = static_cast<double>(step.displayed.size());
+      const double middle = median(step.displayed);
+      if (step.displayed.size() < many || middle <= colour::least_displayed ||
+          middle >= colour::most_displayed)
+        continue;
+      const double residual = std::log(middle) + colour::tone_logarithm({}, middle) -
+                              step_of_light * static_cast<double>(light.first);
+      Vector row = Vector::Zero();
+      row[0] = unknown;
+      row[1] = of_colours * step.of_red / count;
+      row[2] = of_colours * step.of_blue / count;
+      std::ranges::copy(colour::tone_derivatives(middle), row.begin() + 3);
+      normal += row * row.transpose() / (error * error);
+      sums += row * residual / (error * error);
+      ++steps;
+    }
+    if (steps < least)
+      throw algebra::Error(fmt::format(
+          "{} steps of light to find a tone curve by, allowed {} or more: too much of the "
+          "photograph is clipped or black",
+          steps, least));
+    const Vector solved = normal.llt().solve(sums);
+    std::transform(solved.begin() + 3, solved.end(), found.curve.numbers.begin(), std::negate());
+    const double red = std::clamp(of_colours * solved[1], -most_change, most_change),
+                 blue = std::clamp(of_colours * solved[2], -most_change, most_change);
+    gains *= glm::dvec3(std::exp(red), 1, std::exp(blue));
+    if (std::max(std::abs(red), std::abs(blue)) < settled) break;
+  }
+  return found;
+}
+
 Comparison compared(const texture::Image& photo, const texture::Image& frame,
                     const almanac::SkyState& sky, const povray_scenes::SceneCamera& camera,
                     const ComparisonRequest& request) {
-  const auto& [exposure, curved, glow, bins] = request;
+  const auto& [exposure, colours, glow, bins] = request;
   algebra::require_within("bins", static_cast<double>(bins), 1, 1000);
   if (frame.width != camera.width || frame.height != camera.height)
     throw algebra::Error(fmt::format("a frame of {} x {} pixels, allowed {} x {}, as its camera's",
@@ -298,18 +348,24 @@ Comparison compared(const texture::Image& photo, const texture::Image& frame,
   auto moon = glowing(moon_alone(frame, camera), glow, camera);
   const auto registration = colour::registered(luminance_of(photo), luminance_of(moon));
   auto pixels = shared_pixels(photo, moon, sky, camera, registration.render_to_photo);
-  std::optional<colour::ToneCurve> curve;
-  if (curved) {
+  std::optional<CameraWriting> writing;
+  if (colours) {
     for (auto& pixel : pixels)
       pixel.clipped |= any_channel_reaches(pixel.photo, colour::most_displayed);
-    curve = fitted_curve(pixels);
-    undo(*curve, pixels);
+    writing = fitted_writing(pixels, *colours);
+    undo(*writing, pixels);
+    auto light = pixels_of(moon);
+    for (auto& rgb : light.values()) {
+      const auto by = written(writing->colours, {rgb[0], rgb[1], rgb[2]});
+      rgb = {static_cast<float>(by.r), static_cast<float>(by.g), static_cast<float>(by.b)};
+    }
+    moon = image_of(light);
   }
   const double fitted = fitted_exposure(pixels);
   const double used = exposure ? colour::exposure_scale(*exposure) : fitted;
   auto found = differences(pixels, used, bins);
   for (float& value : moon.values) value *= static_cast<float>(used);
-  return {registration, used, fitted, std::move(found), std::move(moon), curve};
+  return {registration, used, fitted, std::move(found), std::move(moon), writing};
 }
 
 }  // namespace coppermoon::uses

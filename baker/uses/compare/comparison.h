@@ -15,6 +15,7 @@
 #include "colour/tone_curve.h"
 #include "povray_scenes/scene_camera.h"
 #include "texture/image.h"
+#include "uses/picture/camera_colours.h"
 
 namespace coppermoon::uses {
 
@@ -26,7 +27,7 @@ algebra::Grid<float> luminance_of(const texture::Image& light);
 texture::Image resampled(const texture::Image& image, const colour::Similarity& similarity,
                          std::size_t rows, std::size_t columns);
 
-/// A pixel of a photograph, and the render's light at the same point of the Moon.
+/// A pixel of a photograph, or the mean over a block of its pixels, and the render at the same place.
 struct SharedPixel {
   double axis_distance_km;
   glm::dvec3 photo;         ///< linear Rec.709; 1 saturates
@@ -57,7 +58,7 @@ void describe(Field&& is, const Difference& difference) {
   is.a("Difference", "A step of distance from the shadow's axis, or the whole disc.");
   is("axis_distance_from_km", difference.from_km, unit::kilometres, "least distance from the axis");
   is("axis_distance_to_km", difference.to_km, unit::kilometres, "largest distance from the axis");
-  is("pixels", difference.pixels, "number of pixels that are compared");
+  is("pixels", difference.pixels, "number of pixels that are compared, no finer than the render's");
   is("clipped_pixels", difference.clipped, "number of pixels that the photograph clips");
   is("black_pixels", difference.black, "number of pixels that are black in the photograph");
   is("difference_stops", difference.stops, unit::stops,
@@ -76,23 +77,45 @@ void describe(Field&& is, const Difference& difference) {
 std::vector<Difference> differences(const std::vector<SharedPixel>& pixels, double exposure,
                                     std::size_t bins);
 
+/// How a camera wrote a photograph.
+struct CameraWriting {
+  colour::ToneCurve curve;
+  CameraColours colours;  ///< with the gains that suit best
+};
+
+/// Finds a camera's tone curve and its gains of red and blue from pixels as displayed.
+///
+/// Exposure is free, gains have an error of 0.3 in the logarithm about those given, light has one of 3 % in each step
+/// of the render's light. Levels outside colour::least_displayed to most_displayed say nothing. Errors of the render
+/// in bright and dark parts are absorbed by the curve, within the range of real cameras; what the observer's air
+/// reddens is absorbed by the gains.
+///
+/// Throws  Error  when there are fewer than three steps of light
+CameraWriting fitted_writing(const std::vector<SharedPixel>& pixels, const CameraColours& colours);
+
+/// A photograph compared with a render.
 struct Comparison {
   colour::Registration registration;
-  double exposure, fitted_exposure;          ///< used and fitted pixel value for 1 cd/m²
-  std::vector<Difference> differences;       ///< as returned by differences()
-  texture::Image render;                     ///< linear Rec.709, with glow and exposure applied
-  std::optional<colour::ToneCurve> curve{};  ///< tone curve of the camera, if fitted
+  double exposure, fitted_exposure;     ///< pixel value of 1 cd/m²: as used, and as fitted
+  std::vector<Difference> differences;  ///< as from differences()
+  texture::Image
+      render;  ///< with glow, at the exposure used, linear Rec.709, as the camera writes it
+  std::optional<CameraWriting> writing{};  ///< the camera's, if it was fitted
 };
 
 /// Settings for comparing a photograph with a render.
 struct ComparisonRequest {
-  std::optional<colour::Exposure> exposure = {};  ///< if absent, the exposure is fitted
-  bool curved = false;                            ///< whether to fit the camera's tone curve
-  double glow = 0;        ///< fraction of light scattered by optics and air (colour::with_glow)
-  std::size_t bins = 12;  ///< number of ranges of axis distance, 1 to 1000
+  std::optional<colour::Exposure> exposure = {};  ///< fitted if absent
+  std::optional<CameraColours> colours =
+      {};                 ///< of a camera that wrote the photograph itself; its tone curve and its
+                          ///< gains are then fitted
+  double glow = 0;        ///< share of light scattered by optics and air: colour::with_glow
+  std::size_t bins = 12;  ///< steps of axis distance, 1 to 1000
 };
 
-/// Registers a rendered frame with a photograph, applies glow and exposure to the frame, and compares the two.
+/// Registers a rendered frame in a photograph, adds glow and exposure to it, and compares the two. Where the photograph
+/// is finer than the frame, it is averaged over blocks no larger than the frame's pixels: noise and detail that the frame
+/// cannot show are no difference between the two.
 ///
 /// Given   photo        linear Rec.709; 1 saturates
 ///         frame        linear Rec.709 [cd/m²], without glow

@@ -40,14 +40,14 @@ texture::Image seen_in(const Square& square, const texture::Image& photo, const 
   disc.radius_px = margin * disc.radius_px + 1;
   const auto part = colour::window_about(disc, photo.height, photo.width);
   const auto by = static_cast<std::size_t>(std::max(1., std::floor(1 / square.from_photo.scale)));
-  const colour::ToneTable table(found.curve.value_or(colour::ToneCurve{}));
+  const colour::ToneTable table(found.writing.value_or(CameraWriting{}).curve);
   texture::Image light(part.columns / by, part.rows / by, {"R", "G", "B"});
   tbb::parallel_for(std::size_t{0}, light.height, [&](std::size_t r) {
     for (std::size_t c = 0; c < light.width; ++c)
       for (std::size_t i = 0; i < by * by; ++i)
         for (std::size_t k = 0; k < 3; ++k) {
           const float value = photo(part.top + r * by + i / by, part.left + c * by + i % by, k);
-          light(r, c, k) += (found.curve ? table(value) : value) / static_cast<float>(by * by);
+          light(r, c, k) += (found.writing ? table(value) : value) / static_cast<float>(by * by);
         }
   });
   const colour::Similarity to_photo{static_cast<double>(by), 0, static_cast<double>(part.left),

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "colour/tone_curve.h"
-#include "uses/fit/camera_colours.h"
 #include "uses/fit/moon_in_photograph.h"
+#include "uses/picture/camera_colours.h"
 
 namespace coppermoon::uses {
 

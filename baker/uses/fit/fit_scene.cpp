@@ -217,17 +217,6 @@ std::vector<algebra::Grid<double>> differences_by_filters(const FitScene& scene,
 
 }  // namespace
 
-std::array<double, 3> rec709_of(std::span<const double> xyz) {
-  constexpr double dark = 1e-12;  // darker colours may round to negative values
-  if (xyz[1] < dark) return {dark, dark, dark};
-  static const auto from_xyz = colour::channels_from_xyz(colour::WorkingSpace::linear_rec709);
-  const auto rgb = from_xyz * glm::dvec3(xyz[0], xyz[1], xyz[2]);
-  std::array<double, 3> channels{rgb.r, rgb.g, rgb.b};
-  colour::into_gamut(colour::WorkingSpace::linear_rec709, channels);
-  for (double& channel : channels) channel = std::max(channel, dark);
-  return channels;
-}
-
 std::array<double, 3> xyz_of_rec709(std::span<const double> rgb) {
   static const auto to_xyz =
       glm::inverse(colour::channels_from_xyz(colour::WorkingSpace::linear_rec709));

@@ -16,6 +16,7 @@
 #include "shadow/lookup.h"
 #include "surface/ground.h"
 #include "uses/fit/sky_and_glow.h"
+#include "uses/picture/camera_colours.h"
 #include "uses/picture/moon.h"
 #include "uses/picture/view.h"
 
@@ -64,11 +65,6 @@ struct FitGroundwork {
   /// Absent if the response is known.
   std::optional<shadow::Lookup> by_filters = {};
 };
-
-/// Converts moonlight to linear Rec.709 and brings it into the gamut as for renders. Channels are 1e-12 or more.
-///
-/// Given  xyz  of moonlight, in any unit
-std::array<double, 3> rec709_of(std::span<const double> xyz);
 
 /// X, Y, Z of light in linear Rec.709.
 std::array<double, 3> xyz_of_rec709(std::span<const double> rgb);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "uses/fit/camera_colours.h"
+#include "uses/picture/camera_colours.h"
 
 #include <algorithm>
 #include <glm/gtc/matrix_access.hpp>
@@ -7,7 +7,6 @@
 
 #include "colour/camera_spectra.h"
 #include "colour/working_space.h"
-#include "uses/fit/fit_scene.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -28,6 +27,17 @@ CameraColours camera_colours(const std::optional<std::string>& response,
     colours.gains =
         vector_of(*as_shot) * spectra.daylight / spectra.daylight.g;  // daylight's are its inverse
   return colours;
+}
+
+std::array<double, 3> rec709_of(std::span<const double> xyz) {
+  constexpr double dark = 1e-12;  // darker colours may round to negative values
+  if (xyz[1] < dark) return {dark, dark, dark};
+  static const auto from_xyz = colour::channels_from_xyz(colour::WorkingSpace::linear_rec709);
+  const auto rgb = from_xyz * glm::dvec3(xyz[0], xyz[1], xyz[2]);
+  std::array<double, 3> channels{rgb.r, rgb.g, rgb.b};
+  colour::into_gamut(colour::WorkingSpace::linear_rec709, channels);
+  for (double& channel : channels) channel = std::max(channel, dark);
+  return channels;
 }
 
 std::array<double, 3> rec709_by(const std::optional<CameraColours>& colours,

@@ -27,6 +27,11 @@ struct CameraColours {
 CameraColours camera_colours(const std::optional<std::string>& response,
                              const std::optional<std::array<double, 3>>& as_shot);
 
+/// Converts moonlight to linear Rec.709 and brings it into the gamut as for renders. Channels are 1e-12 or more.
+///
+/// Given  xyz  of moonlight, in any unit
+std::array<double, 3> rec709_of(std::span<const double> xyz);
+
 /// Moonlight as a camera writes it: linear Rec.709, each channel at least `least` times the brightest, and 1e-12.
 ///
 /// Given  colours  if absent, light is brought into the gamut as in renders
