@@ -16,7 +16,7 @@ struct Disc {
 ///
 /// First, circles are drawn through three random edges at a time, and edges vote for them, under four tone curves.
 /// These range from one that shows the dimmest limb to one in which the blocks and ringing of JPEG vanish beside the
-/// brightest. Along a limb, light falls outward everywhere, unlike at the edge of the Earth's shadow. Then the limb is
+/// brightest. Along a limb, light falls outward everywhere, unlike at the edge of the Earth's shadow. The limb is then
 /// located along 360 radii from the area under each drop in light, which blur does not change. The circle is fitted to
 /// these places by least squares without outliers. The circle along which light drops most is the limb. All this is
 /// done in a picture binned to at most 400 pixels, or to fewer if noise hides the limb; around the brightest place if
@@ -30,7 +30,7 @@ struct Disc {
 ///           2.5 with noise of 2 % of the brightest, and for those whose dark side is lost in noise. A clipped limb
 ///           appears further out by one or two blur widths. In JPEGs of quality 50 to 100 that are blurred, noisy, up
 ///           to 30 times too bright, and in which a person sees a third of the limb, 99 of 100 discs are found if their
-///           radius is at least 20 pixels and 2 % of the picture, 97 of 100 from 10 pixels on. There the error is at
+///           radius is at least 20 pixels and 2 % of the picture, 97 of 100 from 10 pixels on. Their error is at
 ///           most the sum of 2 % of the radius, half a pixel, half the blur and the shift of a clipped limb. If less
 ///           than half of the limb is seen, the error grows by the factor 1 / (1 - cos of half the arc)
 /// Throws    Error      when a luminance is not finite, or a side is below 16 or above 65535 pixels

@@ -73,7 +73,7 @@ constexpr double least_seeing_px = 1 / 32.;
 /// Transfer function of seeing as sampled by pixels: the sum over a frequency (cycles per pixel) and all its aliases.
 ///
 /// The part of the sum that is due to aliases is smooth in the squares of the frequency's components, so it is
-/// interpolated by a polynomial through Chebyshev nodes.
+/// interpolated with a polynomial through Chebyshev nodes.
 ///
 /// Accuracy  1e-9
 class SampledSeeing {

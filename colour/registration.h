@@ -18,7 +18,7 @@ struct Registration {
 
 /// What is known about both pictures before registration.
 struct KnownBefore {
-  std::optional<Disc> in_photo = {}, in_render = {};  ///< if absent, found by limb_of
+  std::optional<Disc> in_photo = {}, in_render = {};  ///< if absent, found with limb_of
   /// Scale of the similarity. If given, the photograph's disc keeps its centre, and its radius is the render's radius
   /// times this.
   std::optional<double> scale = {};
@@ -37,7 +37,7 @@ struct KnownBefore {
 ///                          largest value; the same share of the render's disc, its brightest part, is treated as
 ///                          equally bright
 /// Accuracy  0.2° in rotation and 0.3 % in scale, or 0.2 pixel at the limb if that is more; 0.25 pixel at the disc's
-///           centre. This holds for radii of 25 to 150 pixels, a blur of 2 pixels, noise of 2 % of the brightest,
+///           centre. These hold for radii of 25 to 150 pixels, a blur of 2 pixels, noise of 2 % of the brightest,
 ///           clipped discs and the Earth's shadow. If all but the umbra is clipped, 33 times too bright: 0.6 pixel and
 ///           1 %. One in thirty small discs (25 pixels, blur of 2) was rotated by 0.5°. Between maps of the Moon from
 ///           two sources: 0.3°

@@ -54,7 +54,7 @@ std::string spheres_text(const MoonScene& scene) {
   return text;
 }
 
-/// The text of a pane before the camera that shows the air's light. It extends half a step beyond the frame, since
+/// The text of a pane in front of the camera that shows the air's light. It extends half a step beyond the frame, since
 /// POV-Ray interpolates between the texels' centres.
 std::string pane_text(const MoonScene& scene) {
   if (!scene.air) return {};

@@ -5,9 +5,9 @@
 //     void describe(Field&& is, const Result& result);
 //
 // which calls `is.a(name, meaning)` for the result, and `is(key, value, unit, meaning)` for each of its values; the
-// unit may be left out. A value is a number, a text, an Angle (in degrees), an Instant, a list, a grid, another result,
-// a type from this file, an optional of these, or a function without arguments that returns one of them. `describe` is
-// also called with a result of default values, just to learn the keys, kinds, units and meanings.
+// unit may be left out. A value is a number, a string, an Angle (in degrees), an Instant, a list, a grid, another
+// result, a type from this file, an optional of these, or a function without arguments that returns one of them.
+// `describe` is also called with a result of default values, just to learn the keys, kinds, units and meanings.
 #pragma once
 
 #include <functional>

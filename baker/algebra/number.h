@@ -20,7 +20,7 @@ std::optional<std::size_t> whole_number(std::string_view text);
 /// The text without leading and trailing spaces.
 std::string_view without_spaces(std::string_view text);
 
-/// Reads a number from a text that ends in one of several units.
+/// Reads a number from a string that ends in one of several units.
 ///
 /// Given     units  each with the factor that its numbers are multiplied by; "" comes last if the unit may be missing
 /// Returned  nullopt if the text is not such a number

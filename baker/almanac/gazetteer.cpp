@@ -183,7 +183,8 @@ std::string known_name(std::string_view name) {
   return std::string(name);
 }
 
-/// Splits a text at its first slash or comma into a city's name and its areas. The areas are empty if there is neither.
+/// Splits a string at its first slash or comma into a city's name and its areas. The areas are empty if there is
+/// neither.
 std::pair<std::string_view, std::string_view> name_and_region(std::string_view text) {
   const auto end = text.find_first_of("/,");
   if (end == std::string_view::npos) return {algebra::without_spaces(text), {}};

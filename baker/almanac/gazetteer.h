@@ -70,7 +70,7 @@ std::vector<City> largest_cities(std::size_t count);
 /// All lunar features in the gazetteer.
 std::vector<LunarFeature> lunar_features();
 
-/// Names of all cities, the user's own first. They serve to suggest a similar name for a misspelt one.
+/// Names of all cities, the user's own first. The list serves to suggest a similar name for a misspelt one.
 std::vector<std::string> city_names();
 std::vector<std::string> lunar_feature_names();
 

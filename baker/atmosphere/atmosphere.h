@@ -154,7 +154,7 @@ Atmosphere with_fewer_belts(Atmosphere atmosphere);
 /// and of stratospheric aerosol.
 ///
 /// Given   airs   one or more, which differ only in these amounts and share their tables
-/// Throws  Error  when there are no airs, or they differ in anything else
+/// Throws  Error  when there are no atmospheres, or they differ in anything else
 Atmosphere richest(std::span<const Atmosphere> airs);
 
 /// Throws an Error that names the term, its unit and its range, when a term is outside its range.

@@ -20,7 +20,7 @@ double ozone_cross_section_m2(algebra::Wavelength wavelength);
 ///
 /// Given     altitude_m  below 2 km, the value at 2 km is returned; above 86 km, 0
 /// Returned  [m⁻¹]       at most 5.2e-5, at 22 km
-/// Accuracy  matches the printed profile at every 2 km from 2 to 74 km, with a smooth curve of the logarithm in
+/// Accuracy  matches the printed profile every 2 km from 2 to 74 km, with a smooth curve of the logarithm in
 ///           between; the printed profile's column is 347 DU, although its text says 345
 /// Omits     season, latitude and weather: the peak lies at 26 km in the tropics, 18 km at the poles
 /// Source    U.S. Standard Atmosphere 1976, mid-latitude ozone (Krueger & Minzner 1976)

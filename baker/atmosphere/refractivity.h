@@ -31,7 +31,7 @@ double sea_level_refractivity_crc(algebra::Wavelength wavelength);
 ///
 /// Given     wavelength  in vacuum, 380 to 780 nm
 /// Returned  n₀ − 1      2.778376e-4 at 550 nm
-/// Accuracy  6e-5 of n₀ − 1 above the four-term formula of Peck & Reeder (1972)
+/// Accuracy  exceeds the four-term formula of Peck & Reeder (1972) by a relative 6e-5
 /// Omits     water vapour, which lowers refractivity by 3.6e-10 per pascal: by 0.2 % when saturated
 /// Throws    Error       when the wavelength is outside its range
 /// Source    Ciddor (1996), Appl. Opt. 35, 1566, Eq. 1

@@ -67,7 +67,7 @@ class StratosphericLayer {
  public:
   /// Layer with a given optical depth. Profile and spectrum are LOWTRAN 7's, interpolated (in the logarithm) between
   /// the two named aerosols of neighbouring optical depth, and constant beyond the first and the last. The profile
-  /// begins at the tropopause, not at 11 km, so altitudes from there to 35 km are stretched.
+  /// begins at the tropopause, not at 11 km, so altitudes from the tropopause to 35 km are stretched.
   ///
   /// Given   optical_depth  vertical, at 550 nm, 0 to 2
   ///         tropopause_m   5 to 20 km

@@ -46,7 +46,7 @@ LightTable read_table() {
   return all;
 }
 
-/// Weights with which the airs of the table make up the observer's air; they add up to 1.
+/// Weights with which the atmospheres in the table make up the observer's air; they add up to 1.
 std::array<double, airs> shares_of(const ObserverAir& air) {
   constexpr double standard_aerosol = 0.1, clear_aerosol = 0.03, hazy_aerosol = 0.3,
                    least_aerosol = 0.01, most_aerosol = 1, standard_du = 300, more_du = 450,

@@ -20,7 +20,7 @@ using almanac::Instant;
 
 constexpr double half_a_month_s = 15 * 86400.;
 
-/// A moment relative to a contact, read from a text such as "P1-10min": the contact's name, and the seconds after it.
+/// A moment relative to a contact, read from a string such as "P1-10min": the contact's name, and the seconds after it.
 struct FromContact {
   std::string name;
   std::optional<double> seconds;
@@ -44,7 +44,7 @@ bool is_like(std::string_view text, std::string_view pattern) {
          });
 }
 
-/// Converts a text to lower case and removes its spaces.
+/// Converts a string to lower case and removes its spaces.
 std::string plain(std::string_view text) {
   std::string letters;
   for (const char letter : text)

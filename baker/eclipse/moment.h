@@ -11,22 +11,22 @@
 
 namespace coppermoon::eclipse {
 
-/// Whether a text is a day alone, such as "2018-07-27", "20180727" or "-0584-05-22".
+/// Whether a string is a day alone, such as "2018-07-27", "20180727" or "-0584-05-22".
 bool is_day(std::string_view text);
 
-/// Whether a text is a day and a time of day without a UTC offset, such as "2018-07-27 20:21".
+/// Whether a string is a day and a time of day without a UTC offset, such as "2018-07-27 20:21".
 bool is_clock_time(std::string_view text);
 
-/// Whether a text begins with a time of day, a contact, "moonrise" or "moonset".
+/// Whether a string begins with a time of day, a contact, "moonrise" or "moonset".
 bool is_contact_or_time(std::string_view text);
 
-/// Whether a text begins with a digit, possibly after a minus sign, like a date or a time of day.
+/// Whether a string begins with a digit, possibly after a minus sign, like a date or a time of day.
 bool begins_with_digit(const std::string& text);
 
-/// Whether a text is a day followed by a moment relative to a contact, moonrise or moonset.
+/// Whether a string is a day followed by a moment relative to a contact, moonrise or moonset.
 bool is_from_contact(const std::string& text);
 
-/// Whether a text gives a moment relative to moonrise or moonset.
+/// Whether a string gives a moment relative to moonrise or moonset.
 bool is_from_horizon(const std::string& text);
 
 /// Reads a moment that is given relative to a contact of an eclipse, in upper or lower case: "U2", "p1-10min",

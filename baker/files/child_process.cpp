@@ -20,13 +20,13 @@ auto kept_in(std::string& said) {
   };
 }
 
-/// The last non-empty line of a text.
+/// The last non-empty line of a string.
 std::string last_line(std::string text) {
   while (text.ends_with('\n')) text.pop_back();
   return text.substr(text.rfind('\n') + 1);
 }
 
-/// The first non-empty line of a text.
+/// The first non-empty line of a string.
 std::string first_line(std::string text) {
   text.erase(0, text.find_first_not_of('\n'));
   return text.substr(0, text.find('\n'));

@@ -25,7 +25,7 @@ std::filesystem::path place_of(const std::filesystem::path& path, std::error_cod
 ///                writing is not permitted
 void write_whole(const std::filesystem::path& path, const std::function<void(const Handle&)>& fill);
 
-/// Writes a text to a file that appears whole or not at all.
+/// Writes text to a file that appears whole or not at all.
 void write_whole(const std::filesystem::path& path, std::string_view text);
 
 /// Refuses a pipe, a device or any other file from which reading might block or never end.
@@ -33,7 +33,7 @@ void write_whole(const std::filesystem::path& path, std::string_view text);
 /// Throws  Error  one line with the path, if it exists but is not a regular file
 void require_regular_file(const std::filesystem::path& path);
 
-/// Refuses a path at which no file could be written. It is called before the work whose result goes there.
+/// Refuses a path at which no file could be written. Call it before the work whose result goes there.
 ///
 /// Throws  Error  if the folder of the file (or of a link's target) is missing, or if the path itself is a folder
 void require_place_for(const std::filesystem::path& file);

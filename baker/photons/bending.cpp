@@ -31,7 +31,7 @@ struct Air {
   double optical_height(double h) const { return h + optical_excess(h); }
 };
 
-/// Altitude where n r = b, found by bisection to the last digit. This works because n r increases with altitude.
+/// Altitude where n r = b, found by bisection to the last digit. Bisection works because n r increases with altitude.
 double tangent_height(const Air& air, double impact_height_m, double top_m) {
   constexpr int halvings = 64;
   double low = 0, high = top_m;

@@ -17,8 +17,8 @@ struct LimbPath {
   atmosphere::Amounts amounts{};  ///< each profile integrated along the path
 };
 
-/// Table of a column's profiles (except dust) at every 25 m. Interpolating in it is ten times as fast as evaluating
-/// them.
+/// Table of a column's profiles (except dust), sampled every 25 m. Interpolating in the table is ten times as fast as
+/// evaluating the profiles.
 ///
 /// Accuracy  relative error of extinction 1e-5
 class ProfileTable {

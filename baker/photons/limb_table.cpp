@@ -142,7 +142,7 @@ struct Follower {
 
   /// Paths at the Chebyshev points for a polynomial of the given degree.
   ///
-  /// Given  known  paths at every other point, already traced for half the degree; may be empty
+  /// Given  known  paths at every second point, already traced for half the degree; may be empty
   Points at(const HeightRange& piece, int degree, const Points& known = {}) const {
     const auto count = static_cast<std::size_t>(degree) + 1;
     Points values(refractivities.size(), std::vector<Path>(count));

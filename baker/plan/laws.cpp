@@ -26,7 +26,8 @@ struct Costs {
   double photon_wavelength = 2.2e-9;  ///< per photon, wavelength and plane, with rings only
   double sectors_dearer = 8;          ///< factor if photons are gathered in sectors too
   double photon_literal = 163e-6;
-  double together = 1.75;  ///< measured time for light, divided by the sum of its estimated parts
+  /// measured time to compute the light, divided by the sum of the estimates for its steps
+  double together = 1.75;
   double start = 0.22;   ///< to start the program and its image libraries, if a texture is written
   double texel = 48e-9;  ///< per texel, to light and to write it
   double map_file = 0.2;

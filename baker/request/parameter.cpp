@@ -16,7 +16,7 @@
 namespace coppermoon::request {
 namespace {
 
-/// Result of parsing a text as a whole number.
+/// Result of parsing a string as a whole number.
 template <class Whole>
 struct Read {
   Whole value{};

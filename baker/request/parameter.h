@@ -50,7 +50,7 @@ struct Range {
 
 using Texts = std::vector<std::string>;
 
-/// Error for a text that is not of the parameter's kind, or is not one of the allowed words.
+/// Error for a string that is not of the parameter's kind, or is not one of the allowed words.
 struct UnknownWord : algebra::Error {
   using algebra::Error::Error;
 };
@@ -61,12 +61,12 @@ class Parameters;
 struct Condition {
   std::string name;  ///< name of the other parameter
   /// Values that meet the condition; if empty, any value does. If the parameter's value is a list separated by commas,
-  /// one matching part is enough. A value such as ".png" matches all texts with this ending.
+  /// one matching part is enough. A value such as ".png" matches all strings with this ending.
   Texts values{};
 };
 using Conditions = std::vector<Condition>;
 
-/// How other parameters decide whether a parameter has an effect. Those that a command does not have are ignored.
+/// How other parameters decide whether a parameter has an effect. Parameters that a command does not have are ignored.
 struct Relation {
   bool
       needed;  ///< if true, one of the conditions must hold to have an effect; if false, none may hold
@@ -97,17 +97,17 @@ struct Parameter {
   Texts excluded{};                     ///< parameters with which it cannot be combined
   std::shared_ptr<Parameters> parts{};  ///< parts, if values are like "name=text,name=text"
   std::vector<Relation> relations{};    ///< decide whether the parameter has an effect
-  std::optional<Texts> given{};         ///< texts that the user gave, as recipes spell them
+  std::optional<Texts> given{};         ///< strings that the user gave, as recipes spell them
 
-  std::function<Texts()> read{};  ///< returns the field's value as texts
-  /// Sets the field; throws algebra::Error for texts that are not allowed
+  std::function<Texts()> read{};  ///< returns the field's value as strings
+  /// Sets the field; throws algebra::Error for strings that are not allowed
   std::function<void(const Texts&)> write{};
   std::function<void()> restore{};  ///< restores the field's initial value
-  /// Spells a text as recipes do, such as "10" for "10s". If empty, the function `spelt` does. Throws algebra::Error
-  /// for a text that is not allowed
+  /// Spells a string as recipes do, such as "10" for "10s". If empty, the function `spelt` does. Throws algebra::Error
+  /// for a string that is not allowed
   std::function<std::string(const std::string&)> respelt{};
 
-  /// The texts that the user gave, or else the field's value as texts.
+  /// The strings that the user gave, or else the field's value as strings.
   Texts texts() const { return given ? *given : read(); }
 
   /// Whether the value may be given on a command line without a flag, like the instant.
@@ -121,13 +121,13 @@ struct Parameter {
   /// Whether the parameter has a value, either given by the user or in its field.
   bool has_value() const { return !texts().empty(); }
 
-  /// Sets the field from the texts of a flag, a recipe or a Python argument.
+  /// Sets the field from the strings of a flag, a recipe or a Python argument.
   ///
-  /// Throws  UnknownWord     for a text that is not of the parameter's kind, or is not one of the allowed words
-  ///         algebra::Error  for any other text that is not allowed, such as a number outside the range
+  /// Throws  UnknownWord     for a string that is not of the parameter's kind, or is not one of the allowed words
+  ///         algebra::Error  for any other string that is not allowed, such as a number outside the range
   void take(const Texts& texts);
 
-  /// Forgets the texts that the user gave, and restores the field's initial value.
+  /// Forgets the strings that the user gave, and restores the field's initial value.
   void reset();
 
   Parameter& in(std::string title) { return heading = std::move(title), *this; }
@@ -178,10 +178,10 @@ inline bool is_written(Kind kind) {
 /// The unit in brackets in a numeric parameter's meaning: "km" in "step of a path [km]". Empty if there is none.
 std::string unit_of(const Parameter& parameter);
 
-/// Why a text is not a value of the given kind, such as "1.5, allowed whole numbers"; empty if it is valid.
+/// Why a string is not a value of the given kind, such as "1.5, allowed whole numbers"; empty if it is valid.
 std::string fault_in(Kind kind, const std::string& text);
 
-/// A text as recipes spell it. Equal numbers are spelt alike, however the user wrote them.
+/// A string as recipes spell it. Equal numbers are spelt alike, however the user wrote them.
 std::string spelt(Kind kind, const std::string& text);
 
 /// A value as text for recipes, which read_text can read.
@@ -211,7 +211,7 @@ constexpr Kind kind_of(const std::optional<Value>&) {
   return kind_of(Value{});
 }
 
-/// A field's value as texts, which `put` can read; empty if the field has no value.
+/// A field's value as strings that `put` can read; empty if the field has no value.
 template <class Value>
 Texts texts_of(const Value& value) {
   auto text = text_of(value);
@@ -254,7 +254,7 @@ Parameter bound(const std::string& spelling, Value& value, std::string meaning,
 }
 
 /// A parameter bound to a field: a double, int, std::size_t, std::string or path, an optional one of these, or a list
-/// of texts or paths.
+/// of strings or paths.
 template <class Value>
 Parameter parameter(const std::string& spelling, Value& value, std::string meaning) {
   auto made = bound(
@@ -266,10 +266,10 @@ Parameter parameter(const std::string& spelling, Value& value, std::string meani
   return made;
 }
 
-/// A parameter whose text, such as "2s" or "42.86,-73.77", is parsed by a function of the caller.
+/// A parameter given as a string, such as "2s" or "42.86,-73.77", that a function supplied by the caller parses.
 ///
-/// Given  read   returns the field's value as text; empty if it has none
-///        write  sets the field from a text; throws algebra::Error for a text that it cannot read
+/// Given  read   returns the field's value as a string; empty if it has none
+///        write  sets the field from a string; throws algebra::Error if the string cannot be parsed
 template <class Value>
 Parameter parsed(const std::string& spelling, Value& value, std::function<std::string()> read,
                  std::function<void(const std::string&)> write, std::string meaning) {
@@ -282,9 +282,9 @@ Parameter parsed(const std::string& spelling, Value& value, std::function<std::s
 template <class Value>
 using Words = std::vector<std::pair<std::string, Value>>;
 
-/// Index of a text in the list of words that a parameter accepts.
+/// Index of a string in the list of words that a parameter accepts.
 ///
-/// Throws  algebra::Error  if the text is none of the words; the message lists them
+/// Throws  algebra::Error  if the string is none of the words; the message lists them
 std::size_t word_in(const Texts& words, const std::string& name, const std::string& text);
 
 /// The word that stands for a value; empty if there is no such word.
@@ -366,7 +366,7 @@ std::vector<std::string> without_effect(const Parameters& parameters,
                                         const std::function<std::string(const Parameter&)>& spelt,
                                         const std::function<bool(const Parameter&)>& asked);
 
-/// Sets the parts that a text such as "from-latitude=-90,to-latitude=0" gives, and resets all other parts.
+/// Sets the parts that a string such as "from-latitude=-90,to-latitude=0" gives, and resets all other parts.
 ///
 /// Throws  algebra::Error  if a part does not exist or a value is not allowed
 void take_parts(Parameters& parts, const std::string& text);

@@ -15,7 +15,7 @@
 namespace coppermoon::request {
 namespace {
 
-/// A text as a quoted TOML string on a single line.
+/// Text as a quoted TOML string on a single line.
 std::string quoted(const std::string& text) {
   const bool plain = std::ranges::none_of(text, [](char c) { return c >= 0 && c < ' '; });
   std::ostringstream literal;
@@ -124,7 +124,7 @@ Recipe settings_in(const toml::table& entries, const std::string& file, const st
   return all;
 }
 
-/// Length of the quoted TOML string at the start of a text [bytes], with its single or triple quotes.
+/// Length of the quoted TOML string at the start of the given text [bytes], with its single or triple quotes.
 std::size_t quoted_length(std::string_view text) {
   const char quote = text.front();
   const std::string three(3, quote);
@@ -137,7 +137,7 @@ std::size_t quoted_length(std::string_view text) {
   return std::min(end, text.size());
 }
 
-/// Length of the first token in a text [bytes]. A token is a quoted string, a comment, or a single character.
+/// Length of the first token in the given text [bytes]. A token is a quoted string, a comment, or a single character.
 std::size_t token_length(std::string_view text) {
   if (text.front() == '"' || text.front() == '\'') return quoted_length(text);
   return text.front() == '#' ? std::min(text.find('\n'), text.size()) : 1;
@@ -175,7 +175,8 @@ toml::table parsed(const std::string& text, const std::string& file) {
   }
 }
 
-/// Removes a setting from a recipe's text and returns it. Its value, up to the end of the line, is not in quotes.
+/// Removes a setting from a recipe's text and returns it. Expects a value without quotes that runs to the end of the
+/// line.
 Setting taken_from(std::string& text, const std::string& name) {
   const auto key = name + " = ";
   auto begin = text.starts_with(key) ? 0 : text.find("\n" + key);

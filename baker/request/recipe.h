@@ -41,7 +41,7 @@ std::string text_of(const Recipe& recipe);
 /// Reads a recipe from TOML. In a table, the key `model` sets the parameter that has the same name as the table.
 ///
 /// Given   file  name to show in errors: "<file>:<line>: …"
-///         bare  names of settings whose texts are not in quotes; each is on a line of its own
+///         bare  names of settings whose values are not in quotes; each is on a line of its own
 /// Throws  algebra::Error  if the text is not TOML, exceeds 1 MiB, or has a zero byte, a name of 17 parts, or the same
 ///                         name twice
 Recipe recipe_in(std::string text, const std::string& file = {}, const Texts& bare = {});
@@ -49,7 +49,7 @@ Recipe recipe_in(std::string text, const std::string& file = {}, const Texts& ba
 /// The setting with a given name; nullptr if there is none.
 const Setting* setting_in(const Recipe& recipe, const std::string& name);
 
-/// A recipe in which some settings are replaced or added. Those settings come first, in the given order.
+/// A recipe in which some settings are replaced or added. The new settings come first, in the given order.
 Recipe with(std::vector<Setting> values, const Recipe& recipe);
 
 /// A parameter that differs between two recipes, with its values as TOML writes them; "none" stands for no value.

@@ -19,7 +19,8 @@ struct QuadratureSettings {
   /// rays, and narrower in proportion with more rays
   int rays = 300;
   int sun_terms = 6;  ///< number of terms for a limb-darkened disc (photons::disc_terms), 1 to 6
-  /// sectors to compute, out of 4 to 360 around the axis; others stay dark. All are computed if the air has one column
+  /// which sectors to compute. The circle around the axis is divided into 4 to 360, and those not chosen stay dark. If
+  /// the air has a single column, all are computed
   Sectors sectors{sectors_around};
   /// highest harmonic of the position angle, 2 to 160; fewer are used if fewer suffice for the air and the rays
   int harmonics = 160;
@@ -63,7 +64,7 @@ struct QuadratureSettings {
 ///           3e-4 with 300 rays, 1.5e-4 and 8e-5 with 1000 rays; farther out, 1e-5 of unshaded sunlight. Omitted
 ///           harmonics cause errors of 4e-4 with belts; with regions, 1e-4 on average and 2e-2 if a region is dim
 ///           beside its neighbour
-/// Omits     the difference between bending along the ellipsoid's vertical and towards the axis. This displaces light
+/// Omits     the difference between bending along the ellipsoid's vertical and towards the axis. The difference displaces light
 ///           by 21 km at most, which is little beside the 3600 km over which the Sun's disc blurs light
 /// Throws    Error             if an argument is outside its range
 RefractedLight by_quadrature(const atmosphere::Atmosphere& atmosphere,
@@ -72,7 +73,7 @@ RefractedLight by_quadrature(const atmosphere::Atmosphere& atmosphere,
                              const QuadratureSettings& settings = {},
                              const algebra::Progress& progress = {});
 
-/// Computes refracted light in several atmospheres at once. This is faster than one by one, because rays and arcs are
+/// Computes refracted light in several atmospheres at once, which is faster than one by one, because rays and arcs are
 /// computed only once for all of them.
 ///
 /// Given     airs   one or more, which may differ only in their dust, ozone and cloud cover

@@ -11,7 +11,7 @@
 namespace coppermoon::shadow {
 
 /// Interval of distances from the axis, in whole bins. The integral along an arc, within the projected Sun's disc, is
-/// approximated by a quadratic in the arc's distance, which is given by its values at three Gauss nodes.
+/// approximated with a quadratic in the arc's distance, which is given by its values at three Gauss nodes.
 struct Stretch {
   int from, to;
   /// [node, nearest to the axis first](term of the disc, harmonic m): ∫ f(μ) cos mψ dψ along the arc [rad], with ψ

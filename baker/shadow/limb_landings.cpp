@@ -66,7 +66,8 @@ void normalise(std::span<double> row) {
     for (double& value : row) value /= sum;
 }
 
-/// Adds the importance of each cell: the root mean square, over wavelengths, of its share of all light that lands.
+/// Fills `chances`, which must be 0 before, with the importance of each cell: the root mean square, over wavelengths,
+/// of the cell's share of all the light that lands, apart from a common factor.
 ///
 /// Given  light  (wavelength, cell)
 void add_seeing(const Grid<double>& light, std::span<const double> arcs,

@@ -33,7 +33,7 @@ struct Aim {
 ///     2π T b (db/dh) / p(h)
 ///
 /// with T the transmittance, b the impact parameter and p the probability density of tangent heights h. Between rays,
-/// the product T b varies exponentially in the limb's table. Here it varies linearly, with the same integral.
+/// the product T b varies exponentially in the limb's table. In this class it varies linearly, with the same integral.
 ///
 /// Landings are drawn for the middle wavelength. Axis distances are distributed uniformly, so that rings near the axis
 /// get as many photons as others. Tangent heights are distributed like the light, over all wavelengths, that each

@@ -50,11 +50,12 @@ inline constexpr double limb_m = 6.39e6;
 /// Axis distance within which the limb on both sides of the axis sends light [m].
 inline constexpr double one_limb_m = 1.5e6;
 
-/// Axis distance at which a straight line from the limb crosses another plane. Light in the shadow hardly changes along
-/// these lines. Near the axis, where lines from the opposite limb cross them, the shift is reduced, to 0 on the axis.
+/// Follows a straight line from the limb between two planes of the shadow, and returns the axis distance at which it
+/// crosses the second plane. Light in the shadow hardly changes along these lines. Near the axis, where lines from the
+/// opposite limb cross them, the change in axis distance is scaled down, to 0 on the axis.
 ///
 /// Given  axis_distance_m  axis distance at which the line crosses the first plane
-///        deeper           ratio of the other plane's depth to that of the first
+///        deeper           depth of the second plane, divided by that of the first
 inline double sheared(double axis_distance_m, double deeper) {
   // FAULT the look-up's planes sheared the wrong way: (deeper - 1); => (1 - deeper);
   const double shift = (axis_distance_m - limb_m) * (deeper - 1);

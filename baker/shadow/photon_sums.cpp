@@ -135,7 +135,7 @@ LogShape log_shape(std::span<const RingLight> line, std::span<const double> logs
   return {outer ? outward : 0, 0};
 }
 
-/// Ratio of the mean over a ring's area to the light at its middle, by three Gauss nodes.
+/// Ratio of the mean over a ring's area to the light at its middle, computed with three Gauss nodes.
 ///
 /// Given  steepening  h/r: the ring's width divided by the axis distance of its middle
 double mean_over_middle(LogShape shape, double steepening) {

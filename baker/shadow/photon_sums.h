@@ -84,7 +84,7 @@ struct PhotonLight : RefractedLight {
 ///
 ///     E = M / ∫ (1 + s h/r) exp(g′ s + g″ s²/2) ds      −½ < s < ½, M = the ring's mean
 ///
-/// Between the middles, light is interpolated by a cubic in its logarithm (BetweenPlaces). The relative error due to
+/// Between the middles, light is interpolated with a cubic in its logarithm (BetweenPlaces). The relative error due to
 /// structure that rings do not resolve is estimated as 3/32 of the fourth difference of ln M, which is four times the
 /// error of a cubic for a smooth curve. It is combined with the neighbouring rings' errors, whose squares count half,
 /// and the fourth difference that noise alone would cause is subtracted. Rings whose noise exceeds a third of their

@@ -44,7 +44,7 @@ class View {
 
   double distance_m() const { return distance_m_; }
 
-  /// Unit vector along which light travels from the limb to the place.
+  /// Unit vector along which light travels from the limb to the viewpoint in the shadow.
   glm::dvec3 direction(double impact_m) const {
     const double sine = impact_m / distance_m_;
     return std::sqrt(1 - sine * sine) * outwards_ - sine * aside_;

@@ -38,7 +38,7 @@ RefractedLight twilight(const atmosphere::Atmosphere& atmosphere, const Arrangem
                         std::span<const double> wavelengths_nm,
                         std::span<const double> axis_distances_m);
 
-/// Twilight in several atmospheres at once. This is faster than one by one, because lines through the air are
+/// Twilight in several atmospheres at once, which is faster than one by one, because lines through the air are
 /// integrated only once.
 ///
 /// Given   airs   one or more, which may differ only in their dust, ozone and cloud cover
@@ -49,7 +49,7 @@ std::vector<RefractedLight> twilight_in(std::span<const atmosphere::Atmosphere> 
                                         std::span<const double> axis_distances_m);
 
 /// Twilight from which `add_between` interpolates the twilight at places in the shadow. It is computed on one middle
-/// plane, at the places' wavelengths and axis distances, or at every 5 nm and every 1000 km if these are fewer.
+/// plane, at the places' wavelengths and axis distances, or every 5 nm and every 1000 km if these are fewer.
 ///
 /// Given   light  light at the places, with increasing wavelengths
 ///         airs   as for twilight_in

@@ -44,7 +44,7 @@ enum class Photometry {
 /// refers. It is about the smallest phase outside an eclipse.
 inline constexpr algebra::Angle full_moon_phase = algebra::degrees(1.5);
 
-/// Ratio of radiance factor to normal albedo, by one of the photometric functions.
+/// Ratio of radiance factor to normal albedo, according to one of the photometric functions.
 ///
 /// Given     cos_incidence  mu0, cosine of the angle between the surface normal and the Sun
 ///           cos_emission   mu, cosine of the angle between the normal and the viewer; negative values count as 0

@@ -35,7 +35,7 @@ struct LitSurface {
 /// If the ground differs from place to place, w is interpolated between the reddest and the bluest ground, linearly in
 /// the place's colour, and f includes the place's surge.
 ///
-/// If the Earth is in front of the Sun, light comes from the Earth's limb. So g is at least the Earth's angular radius,
+/// If the Earth is in front of the Sun, light comes from the Earth's limb, so g is at least the Earth's angular radius,
 /// asin(6378.137 km/distance), which is 0.90 to 1.03 degrees. mu0 is still that of the Sun. Lit ground that the Earth
 /// does not see is baked as if mu were 0, so that it joins the limb without a step.
 ///

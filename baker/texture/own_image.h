@@ -5,7 +5,7 @@
 
 namespace coppermoon::texture {
 
-/// Refuses to overwrite a link, or an image that coppermoon did not make. It is fine if the file does not exist.
+/// Refuses to overwrite a link, or an image that coppermoon did not make. A path where no file exists is accepted.
 ///
 /// Throws  Error
 void require_own_image(const std::filesystem::path& file);

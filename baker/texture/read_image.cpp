@@ -137,7 +137,7 @@ float luminance(float red, float green, float blue) {
   return 0.2126F * red + 0.7152F * green + 0.0722F * blue;
 }
 
-/// Converts coded numbers to linear light by a curve, and colours to the luminance of that light.
+/// Converts coded numbers to linear light with a curve, and colours to the luminance of that light.
 struct FloatingTone {
   using Number = float;
   Curve curve;

@@ -18,8 +18,8 @@
 namespace coppermoon::texture {
 
 /// Limits on the images that are read, so that a header's claim cannot take memory or time out of proportion to its
-/// file. Each number takes 4 bytes. 65536 x 32768 texels of four channels are within the limits. So is a uniform image
-/// packed by DWA, the densest format of all, which has 7000 numbers per byte.
+/// file. Each number takes 4 bytes. 65536 x 32768 texels of four channels are within the limits, and so is a uniform
+/// image packed with DWA, the densest format of all, which has 7000 numbers per byte.
 inline constexpr double most_texels_a_side = 1 << 20, most_numbers = 8589934592.,
                         most_numbers_of_any_file = 1 << 24, most_numbers_a_byte = 8192;
 

@@ -11,7 +11,7 @@
 namespace coppermoon::texture {
 
 /// A sphere of radius 1 for a plate carrée texture. As in glTF and in USD with Y up, north is +Y, longitude 0 is +Z and
-/// 90° E is +X. So x, y, z here are y, z, x in the Moon-fixed frame.
+/// 90° E is +X. The mesh's x, y, z are therefore y, z, x in the Moon-fixed frame.
 struct SphereMesh {
   std::vector<glm::dvec3> points;  ///< on the unit sphere, so each is its own normal
   /// Texture coordinates, 0 to 1: s from 180° W eastwards, t from the south pole northwards. Points on the seam appear

@@ -21,8 +21,8 @@ enum class GlbTexels {
 /// picture on it as a PNG inside the file. The same input gives the same bytes.
 ///
 /// A developed material is shown without lighting (KHR_materials_unlit, with the picture as base colour). For viewers
-/// without that extension, the picture is also the emission. There it looks the same with all lights off, and lights
-/// add what a white-lit Moon would reflect.
+/// without that extension, the picture is also the emission. In such viewers the Moon looks the same with all lights
+/// off, and lights add what a white-lit Moon would reflect.
 ///
 /// A material in cd/m² is black and emits light (KHR_materials_emissive_strength): its picture, a 16-bit sRGB-coded
 /// PNG, times the luminance of the brightest channel in any texel.

@@ -58,7 +58,7 @@ void describe(Field&& is, const Crossing& crossing) {
   describe_times(is, crossing.times);
 }
 
-/// An eclipse in the printed list, with the optional results that the user asked for.
+/// An eclipse in the printed list, with the optional results that the user requested.
 struct Listed {
   eclipse::Eclipse eclipse;
   std::optional<uses::MoonBrightness> brightness{};  ///< at greatest eclipse

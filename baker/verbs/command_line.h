@@ -35,7 +35,7 @@ void add_cache(Program& program);
 /// Adds all of these commands to the program.
 void add_verbs(Program& program);
 
-/// What a command line asks the program to do: run a command, or print a text such as help.
+/// What a command line asks the program to do: run a command, or print text such as help.
 struct Asked {
   Verb* verb = nullptr;
   std::string text{};  ///< if not empty, printed instead of running the command

@@ -292,7 +292,7 @@ void require_sound(const Options& options) {
   files::require_place_for(options.output);
 }
 
-/// Exposure from the photograph's header; absent if the exposure is to be fitted. It is fitted by default if the
+/// Exposure from the photograph's header; absent if the exposure is to be fitted. Fitting is the default if the
 /// photograph has a camera's own tone curve, because such a curve is known only up to a factor.
 std::optional<colour::Exposure> exif_to_use(const Options& options, texture::Coding coding) {
   if (options.exposure == "fit") return std::nullopt;

@@ -61,7 +61,7 @@ std::string shell_word(const std::string& word) {
   return plain ? word : in_single_quotes(word);
 }
 
-/// Those of the given flags that concern the air and the map, as text for the command lines that the page shows.
+/// The given flags that concern the air and the map, as text for the command lines that the page shows.
 std::string options_shown(const Verb& verb) {
   std::string flags;
   for (const auto& parameter : verb.parameters) {

@@ -52,7 +52,7 @@ std::optional<Value> value_for(const Options& options, const std::vector<Value>&
   return values[values.size() == 1 ? 0 : i];
 }
 
-/// Number for the i-th photograph, from a text such as "0.5,1,2" with a number for each photograph or one for all.
+/// Number for the i-th photograph, from a string such as "0.5,1,2" with a number for each photograph or one for all.
 std::optional<double> number_for(const Options& options, const std::string& list, std::size_t i,
                                  const char* what) {
   const auto numbers = algebra::numbers_in(list);
@@ -137,11 +137,11 @@ bool are_by_gps(const Options& options) try {
     if (std::abs(ahead - first->second) > most_drift_s) return false;
   }
   return true;
-} catch (const algebra::Error&) {  // a camera's date that is none
+} catch (const algebra::Error&) {  // a camera's date that is not a date
   return false;
 }
 
-/// Adds photographs with the times in their headers. Those without a date are left out. Throws if none has a date.
+/// Adds photographs with the times in their headers. Photographs without a date are left out. Throws if none has a date.
 void add_by_headers(const Options& options, bool by_gps, Input& input) {
   for (std::size_t i = 0; i < options.photos.size(); ++i) {
     std::optional<uses::HeaderClock> clock;

@@ -24,7 +24,7 @@ struct Options {
   bool json = false;
 };
 
-/// Whether to plan a picture and not only a texture. It is planned if the user set any parameter of the view.
+/// Whether to plan a picture and not only a texture. A picture is planned if the user set any parameter of the view.
 bool of_a_picture(const Verb& verb) {
   for (const auto* flag : {"at", "width", "height", "field", "focal-length", "sensor-width"})
     if (is_given(verb, flag)) return true;

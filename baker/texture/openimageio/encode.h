@@ -69,12 +69,12 @@ float highest_of(ExrType type);
 /// Returned  whether the output accepted all of them
 bool write_scanlines(OIIO::ImageOutput& output, const Source& source);
 
-/// Has OpenImageIO encode a file, whole or not at all. An OpenEXR file is also sealed.
+/// Encodes a file with OpenImageIO, whole or not at all. An OpenEXR file is also sealed: its fingerprint is written
+/// into its header.
 ///
-/// Given   format  the format by OpenImageIO's name
-///         encode  opens the output that it is given and returns whether everything was written. Its second argument is
-///                 the name of an open file, for formats that OpenImageIO writes only by name; for others, any name
-///                 will do
+/// Given   format  OpenImageIO's name for the format
+///         encode  opens the given output, writes it, and returns whether everything was written. Its second argument
+///                 is the path of an open file, needed only for formats that OpenImageIO can write only to a path
 /// Throws  Error   when the file cannot be written; the message gives the reason
 void write_encoded(const std::filesystem::path& path, const char* format,
                    const std::function<bool(OIIO::ImageOutput&, const std::string&)>& encode);

@@ -20,8 +20,8 @@ void require_numbers(const std::filesystem::path& path, double numbers);
 /// Refuses an untrusted file whose header would do harm before its reader notices.
 ///
 /// Without this check, a downloaded file of 400 bytes can do this (OpenImageIO 2.4.7 on Debian 12):
-///   OpenEXR  a text or a vector of numbers longer than the file: 2 GB are allocated and cleared, 13 s; a channel in a
-///            part of unknown type, with a pixel type that OpenEXR does not have: the program aborts
+///   OpenEXR  a string or a vector of numbers longer than the file: 2 GB are allocated and cleared, 13 s; a channel in
+///            a part of unknown type, with a pixel type that OpenEXR does not have: the program aborts
 ///   PNG      a chunk longer than the file: 2.2 GB, 7 s
 ///   JPEG     a progressive picture of 60 000 x 60 000: 21 GB for the whole picture, when the file is opened
 ///   GIF      a screen of 23 000 x 23 000: 2.1 GB when the file is opened; a larger one: an unexpected exception

@@ -48,8 +48,8 @@ void require_addresses() {
 
 /// Loads the module, which then stays loaded.
 ///
-/// Throws  Error  one line with the module's path: it is missing, it or one of its libraries cannot be loaded, or it
-///                belongs to another version of coppermoon
+/// Throws  Error  (one line, naming the module's path) if the module is missing, if it or one of its libraries cannot
+///                be loaded, or if it belongs to another version of coppermoon
 const ImageFunctions& loaded() {
   const auto file = module_file();
   require_addresses();

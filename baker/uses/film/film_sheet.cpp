@@ -23,7 +23,7 @@ double seconds_from(const Moments& moments, const almanac::Instant& when, std::s
   return almanac::seconds_between(when, moments.at(frame));
 }
 
-/// The frame nearest to each contact during the film, with a text that names the contacts less than a minute away and
+/// The frame nearest to each contact during the film, with a caption naming the contacts less than a minute away and
 /// the time from them. The limit is a minute because the times of day on a sheet are no finer than that.
 std::map<std::size_t, std::string> frames_at_contacts(const Moments& moments,
                                                       const std::vector<std::size_t>& frames) {

@@ -61,8 +61,8 @@ std::size_t count_of(const FilmTimes& times, double seconds) {
   return frames;
 }
 
-/// Whether a frame shows some of the Moon. It does if the Moon's centre is less than 0.17 degrees below the horizon,
-/// because the flattened disc's radius is at least 0.2 degrees. Always true without an observer.
+/// Whether a frame shows some of the Moon. Some is shown if the Moon's centre is less than 0.17 degrees below the
+/// horizon, because the flattened disc's radius is at least 0.2 degrees. Always true without an observer.
 bool is_seen(const ViewRequest& view, const almanac::SkyState& sky) {
   if (!view.observer || !moon_is_up(view, sky)) return !view.observer;
   const auto horizon = atmosphere::apparent_altitude(horizon_altitude(*view.observer));

@@ -108,7 +108,7 @@ class Totality {
   double dimmer_ = 1;  ///< factor by which the distances of Sun and Moon dim the Moon
 };
 
-/// Clearness at a magnitude, interpolated by a polynomial through up to four known points around it. `bright` is the
+/// Clearness at a magnitude, interpolated with a polynomial through up to four known points around it. `bright` is the
 /// index of the first known point that is at least as bright.
 template <typename Known>
 double between(std::span<const Known> known, std::size_t bright, double magnitude) {

@@ -93,7 +93,8 @@ double budget_of(const std::string& text) {
   return *budget;
 }
 
-/// Settings that request the paper's method, or photons by any method. Without them, a plan does not use photons.
+/// Settings that select the method of Yapo & Cutler (2009), or photon tracing by any method. Without them, a plan does
+/// not use photons.
 const request::Conditions as_the_paper{{"quality", {"paper"}}},
     of_photons{{"solver", {"photons", "literal"}}, {"photons"}, {"quality", {"paper"}}};
 
@@ -103,7 +104,7 @@ double tolerance_named(const std::string& quality) {
   return quality == "reference" ? 5e-4 : 0.01;
 }
 
-/// Parameter for the regions of the air, which are set from texts and printed as texts.
+/// Parameter for the regions of the air, which are set from strings and printed as strings.
 request::Parameter regions_of(std::vector<AirRegion>& regions) {
   request::Parameter made;
   made.name = "region";

@@ -26,7 +26,7 @@ void describe(request::Parameters& is, Air& air);
 /// Parameters for light from the Sun and the stars: limb darkening, scattered light, starlight.
 void describe_sunlight(request::Parameters& is, LightRequest& light);
 
-/// Requested accuracy and computing time of the light, as texts.
+/// Requested accuracy and computing time of the light, as strings.
 struct Effort {
   std::string quality = "standard";
   std::optional<std::string> tolerance{}, budget{};
@@ -44,7 +44,7 @@ void describe_knobs(request::Parameters& is, plan::ByHand& knobs);
 /// Parameters for the solver and its photons, such as their number and the length of their steps.
 void describe_solver(request::Parameters& is, LightRequest& light);
 
-/// Parses a region of the limb from a text such as "from-latitude=-90,to-latitude=0,dust-extinction=1e-5".
+/// Parses a region of the limb from a string such as "from-latitude=-90,to-latitude=0,dust-extinction=1e-5".
 ///
 /// Throws  Error  when the text cannot be understood, or does not say where the region is
 AirRegion region_from(const std::string& text);

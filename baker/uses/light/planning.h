@@ -47,7 +47,7 @@ std::vector<double> distances_over_the_disc(const ShadowedMoon& moon);
 /// Air without the terms that the given work leaves out, such as regions or the ellipsoid.
 atmosphere::Atmosphere air_for(const plan::Work& work, const ShadowedMoon& moon);
 
-/// Number of sectors around the axis, between which light is interpolated by cubics. In a plan of reference quality,
+/// Number of sectors around the axis, between which light is interpolated with cubics. In a plan of reference quality,
 /// the error deep in the umbra is 7e-4 with 48 sectors, 3e-4 with 64 and 2e-4 with 96, other errors included.
 inline constexpr std::size_t sectors_of_a_plan = 96;
 
@@ -69,7 +69,7 @@ shadow::ChannelWeights luminance_weights();
 /// How a check of the light's error treats scattered light.
 struct ScatteredInCheck {
   std::optional<shadow::RefractedLight>
-      computed{};       ///< twilight that the light includes (shadow::twilight_about), not checked
+      computed{};       ///< twilight included in the light (twilight_about); error not checked
   bool counts = false;  ///< whether scattered light, if not computed, counts as error
 };
 

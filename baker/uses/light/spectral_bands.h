@@ -34,7 +34,7 @@ BroadBands broad_bands(double width_nm);
 /// Source  Yapo & Cutler (2009) §2.2, who use 200
 std::vector<double> wavelengths_nm(int count);
 
-/// Converts weights of bands into equivalent weights of wavelengths. Between wavelengths, light is interpolated by a
+/// Converts weights of bands into equivalent weights of wavelengths. Between wavelengths, light is interpolated with a
 /// cubic through the four nearest, so Σ weight(band) light(band) becomes a sum over wavelengths.
 ///
 /// Given     weights  (channel, band)

@@ -62,7 +62,7 @@ Shared shared_by(const std::optional<almanac::Observer>& place, const std::strin
           stamp(made)};
 }
 
-/// An event. It has no length if there is no end, and it has an alarm if there are both a place and an end.
+/// An event, which has no length if there is no end, and has an alarm if there are both a place and an end.
 std::string event(const Shared& shared, const std::string& id, const almanac::Instant& from,
                   const std::optional<almanac::Instant>& to, const std::string& title,
                   const std::string& text) {

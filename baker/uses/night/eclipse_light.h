@@ -54,7 +54,7 @@ MoonAndSky moon_and_sky(const DiscBrightness& above, const almanac::SkyState& sk
 /// Function that gives the brightness of the whole Moon at a moment, without the effect of air.
 using BrightnessAt = std::function<DiscBrightness(const almanac::SkyState&)>;
 
-/// The night with the times when the Moon is seen. It is seen if it is up, and if a uniform disc of its mean luminance
+/// The night with the times when the Moon is seen. The Moon is seen if it is up, and if a uniform disc of its mean luminance
 /// is brighter than the sky by more than the eye's contrast threshold (atmosphere/eye_contrast.h). The moments "first
 /// seen" and "last seen" are added unless they coincide with moonrise, moonset, P1 or P4.
 ///

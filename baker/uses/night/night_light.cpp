@@ -233,7 +233,7 @@ algebra::Progress part_of(const algebra::Progress& whole, double from, double to
   return [whole, from, to](double fraction) { whole(std::lerp(from, to, fraction)); };
 }
 
-/// Exposure times for the middle of totality at L = 4 to 0. Those at which the Moon would not be seen are left out.
+/// Exposure times for the middle of totality at L = 4 to 0. Times with which the Moon would not be seen are left out.
 std::vector<PhaseExposure> danjon_exposures(const Instant& greatest, const MoonRequest& moon,
                                             const EclipseLight& light, const ViewRequest& view,
                                             const Exposer& exposer,

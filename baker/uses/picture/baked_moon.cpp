@@ -33,7 +33,7 @@ std::vector<std::string> channel_names(colour::WorkingSpace space) {
   return {"R", "G", "B"};
 }
 
-/// Header attributes for placing a camera before the globe: sub-observer point, angle of the axis, and distance.
+/// Header attributes for placing a camera in front of the globe: sub-observer point, angle of the axis, and distance.
 texture::Attributes attitude(const LitMoon& moon) {
   const auto& sky = moon.sky;
   auto middle = sky.sub_earth;

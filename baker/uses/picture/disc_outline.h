@@ -43,7 +43,7 @@ std::optional<povray_scenes::RenderWindow> window_of(const DiscOutline& outline,
 std::optional<povray_scenes::RenderWindow> disc_window(
     std::span<const povray_scenes::SceneCamera> cameras);
 
-/// Converts an outline to a text for a header, without loss of digits, and back; nothing for any other text.
+/// Converts an outline to a string for a header, without loss of digits, and back; nothing for any other string.
 std::string text_of(const DiscOutline& outline);
 std::optional<DiscOutline> outline_in(std::string_view text);
 

@@ -10,7 +10,7 @@
 
 namespace coppermoon::uses {
 
-/// Place, time zone and calendar for reading a text that names a moment.
+/// Place, time zone and calendar for reading a string that names a moment.
 struct MomentContext {
   std::optional<almanac::Observer> observer{};
   /// Zone for times of day without an offset: one that local_time accepts, or "local" for the place's zone; if empty,
@@ -19,14 +19,14 @@ struct MomentContext {
   almanac::Calendar calendar = almanac::Calendar::gregorian;
 };
 
-/// The moment that a text names. It may be an instant, "2018-07-27T18:24:00Z"; a day, "2018-07-27", for the greatest
+/// The moment that a string names. It may be an instant, "2018-07-27T18:24:00Z"; a day, "2018-07-27", for the greatest
 /// eclipse on that day; or a day followed by a contact of its eclipse, moonrise or moonset: "2018-07-27 U2+10min".
 ///
 /// Returned  rounded to the second, unless the text is an instant
 /// Throws    Error  when the text names no moment; when the day has no eclipse (the message names the nearest one)
 almanac::Instant moment_in(const std::string& text, const MomentContext& context = {});
 
-/// The moment that a text gives as an instant, or relative to a contact of an eclipse, to moonrise or to moonset. The
+/// The moment that a string gives as an instant, or relative to a contact of an eclipse, to moonrise or to moonset. The
 /// moonrise is the last one before P4, the moonset the first one after P1.
 ///
 /// Throws  Error  when the text is neither, the eclipse has no such contact, or the Moon does not rise or set there

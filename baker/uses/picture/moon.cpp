@@ -31,7 +31,7 @@ void require_sound(const MoonRequest& moon) {
   if (moon.response) colour::require_spectral(*moon.response);
 }
 
-/// Rotates a map that has longitude 180 in its middle by half a turn, which brings longitude 0 there.
+/// Rotates a map that has longitude 180 in its middle by half a turn, which brings longitude 0 to the middle.
 void turn_round(algebra::Grid<float>& map) {
   for (std::size_t r = 0; r < map.rows(); ++r)
     std::rotate(map.row(r).begin(), map.row(r).begin() + map.columns() / 2, map.row(r).end());

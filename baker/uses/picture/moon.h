@@ -44,11 +44,11 @@ struct MoonRequest {
   AlbedoEncoding albedo_encoding = AlbedoEncoding::image;  ///< only for files, like the next two
   double albedo_exponent = 1;  ///< power applied to decoded albedo, 0.1 to 10
   int albedo_map_centre_deg =
-      0;  ///< longitude in the map's middle: 0, or 180 for maps from 0 to 360
+      0;  ///< longitude at the map's centre: 0, or 180 for maps from 0 to 360
   WhenNearSideIsBrighter when_near_side_brighter{};  ///< called if it is brighter by over 3 %
   bool ground_by_place = true;  ///< use each place's colour and surge, not those of the mean Moon
   std::optional<std::size_t> texture_width{};  ///< if absent, 4096, or what the frame resolves
-  double texels_per_pixel = 1;  ///< in the disc's middle, if the frame sets the texture's width
+  double texels_per_pixel = 1;  ///< at the disc's centre, if the frame sets the texture's width
   bool unshadowed = false;      ///< lit as if the Earth were not there
   /// Camera that sees the Moon, named as in colour::camera_spectra; if absent or "colorimetric", the CIE 1931 observer.
   std::optional<std::string> response{};

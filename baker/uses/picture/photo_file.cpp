@@ -50,7 +50,7 @@ std::optional<std::string> text_in_header(const std::string& photo, Names names)
   return std::nullopt;
 }
 
-/// The first number in a text such as "5.6", "1/30" or "800, 0".
+/// The first number in a string such as "5.6", "1/30" or "800, 0".
 std::optional<double> first_number(const std::string& text) {
   const auto first = text.substr(0, text.find_first_of(", "));
   const auto bar = first.find('/');
@@ -68,7 +68,7 @@ std::optional<double> number_in_header(const std::string& photo, Names names) {
   return std::nullopt;
 }
 
-/// Reads a clock from texts in a header; error messages name the photograph.
+/// Reads a clock from strings in a header; error messages name the photograph.
 std::optional<HeaderClock> clock_named(const std::string& photo, const std::string& date,
                                        const std::string& offset = {}) try {
   return clock_in(date, offset);
@@ -76,7 +76,7 @@ std::optional<HeaderClock> clock_named(const std::string& photo, const std::stri
   throw algebra::Error(fmt::format("{}: {}", photo, error.what()));
 }
 
-/// Whether a text has only blanks and colons, which is how EXIF writes an unknown date or offset.
+/// Whether a string has only blanks and colons, which is how EXIF writes an unknown date or offset.
 bool is_unknown(std::string_view text) {
   return text.find_first_not_of(std::string_view(" :\0", 3)) == text.npos;
 }

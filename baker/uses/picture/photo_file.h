@@ -71,8 +71,8 @@ std::optional<std::string> developer_of(const std::string& photo);
 std::optional<std::string> editor_of(const std::string& photo);
 
 /// Coding of a photograph's numbers, as requested. If the request leaves it to the file, it is the camera's tone
-/// curve, provided that the header names a camera and the numbers are coded as sRGB. This does not apply to raw files,
-/// which are linear, or to photographs that a program has developed (developer_of).
+/// curve, provided that the header names a camera and the numbers are coded as sRGB. The rule does not apply to raw
+/// files, which are linear, or to photographs that a program has developed (developer_of).
 texture::Coding coding_of(const std::string& photo, texture::Coding told);
 
 /// Whether a photograph's numbers are coded as sRGB, and not by its camera's own tone curve.
@@ -91,7 +91,7 @@ struct ClippedAt {
 /// that exceeds 1, because sensors differ in how far they count. Nothing for other files, or if no light exceeds 1.
 std::optional<ClippedAt> clipped_at(const std::string& photo, const texture::Image& light);
 
-/// Light of a photograph, read by texture::read_light. If the response is spectral (colour::camera_spectra), a raw
+/// Light of a photograph, read with texture::read_light. If the response is spectral (colour::camera_spectra), a raw
 /// file's channels are converted to colours by the matrix for that response.
 texture::Image photo_light(const std::string& photo, texture::Coding coding,
                            const std::optional<std::string>& response);

@@ -7,8 +7,8 @@
 
 namespace coppermoon::uses {
 
-/// Texts in a photograph's EXIF and XMP, by the name of the tag, such as {"ExposureTime", "1/30"}. If both have a tag,
-/// the text is EXIF's. A list has blanks or commas between its values.
+/// Strings in a photograph's EXIF and XMP, by the name of the tag, such as {"ExposureTime", "1/30"}. If both have a
+/// tag, the string is EXIF's. A list has blanks or commas between its values.
 ///
 /// Returned  empty for a file that has neither, or is of a kind that has none (OpenEXR, FITS)
 using PhotoHeader = std::map<std::string, std::string, std::less<>>;

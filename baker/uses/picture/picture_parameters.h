@@ -47,7 +47,7 @@ void describe(request::Parameters& is, Development& development);
 /// Adds the parameter for whether a picture has a caption.
 void describe_caption(request::Parameters& is, bool& caption);
 
-/// Adds the parameter for the exposure time as a text, for callers that accept several times in it.
+/// Adds the parameter for the exposure time as a string, for callers that accept several times in it.
 void describe_time(request::Parameters& is, std::string& time);
 
 /// Adds the parameters for a texture's colour space and number type.
@@ -61,7 +61,7 @@ void describe_passes(request::Parameters& is, bool& passes);
 
 /// Reads "auto", "follow", "composite" or a number of seconds.
 ///
-/// Throws  Error  when the text is none of them
+/// Throws  Error  when the string is none of them
 ExposureTime exposure_time_from(const std::string& text);
 
 /// Reads an exposure time in seconds, such as "4", "0.03" or "1/30"; nothing for any other text.

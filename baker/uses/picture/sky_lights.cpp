@@ -141,7 +141,7 @@ class Dome {
   StarLights lights_;
 };
 
-/// Cone around a camera's field. It is a degree wider, because refraction may raise a light by that much.
+/// Cone around a camera's field. It is a degree wider, because refraction may raise a star or planet by that much.
 Cone cone_of(const povray_scenes::SceneCamera& camera, const almanac::SkyState& sky) {
   constexpr double margin = std::numbers::pi / 180;
   const double half_width = std::tan(algebra::in_radians(camera.horizontal_field) / 2),

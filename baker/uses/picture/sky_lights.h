@@ -22,8 +22,8 @@ using povray_scenes::SkyLight;
 
 /// Stars and planets in front of a view's camera, except those that the Moon or the ground hides.
 ///
-/// A frame shows the Moon at its place without air, so each light is moved by its own refraction less that of the Moon.
-/// A planet is a disc of points, some of which the Moon may hide.
+/// A frame shows the Moon at its place without air, so each star or planet is moved by its own refraction less the
+/// Moon's. A planet is a disc of points, some of which the Moon may hide.
 ///
 /// Returned  none if the view is to be without stars
 /// Accuracy  places 0.1″ for stars and planets; times of occultations some seconds, because the Moon has mountains
@@ -31,7 +31,7 @@ using povray_scenes::SkyLight;
 /// Throws    Error  when a catalogue is damaged
 std::vector<SkyLight> sky_lights(const View& view, const almanac::SkyState& sky);
 
-/// Stars and planets for a scene, in which each planet is a single disc. Those behind the Moon are included, because
+/// Stars and planets for a scene, in which each planet is a single disc. Objects behind the Moon are included, because
 /// the Moon in the scene hides them.
 std::vector<SkyLight> scene_lights(const View& view, const almanac::SkyState& sky);
 

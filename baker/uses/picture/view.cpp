@@ -43,7 +43,7 @@ void require_up(const almanac::ObserverView& seen, const almanac::Observer& obse
                   place_name(observer), below_deg, below_deg < 10 ? 1 : 0));
 }
 
-/// The Moon's altitude, but at least that of a light on the apparent horizon, where the model of the air ends. From a
+/// The Moon's altitude, but at least that of an object on the apparent horizon, where the model of the air ends. From a
 /// high place, the Moon may be seen lower.
 algebra::Angle altitude_in_air(const almanac::ObserverView& seen) {
   return std::max(seen.altitude, atmosphere::lowest_true_altitude);
@@ -88,7 +88,7 @@ double height(const almanac::Observer& place, const Instant& when) {
   return std::abs(quick) > far ? quick : by(elp_2000_82b);
 }
 
-/// The moonrise or moonset within an interval, when the height is zero. It is found to 0.02 s by bisection.
+/// The moonrise or moonset within an interval, when the height is zero. The moment is found to 0.02 s by bisection.
 Crossing crossing(const almanac::Observer& place, Instant from, double seconds) {
   const bool up = height(place, from) > 0;
   while (seconds > 0.02) {

@@ -61,7 +61,7 @@ std::string place_text(const almanac::Observer& observer);
 povray_scenes::HorizonPlace apparent_place(const almanac::Observer& observer,
                                            const almanac::SkyState& sky);
 
-/// True altitude of a light that appears on the sea horizon as seen from a place.
+/// True altitude of an object that appears on the sea horizon as seen from a place.
 ///
 ///     h = −34′ − 2.12′ √(H / m)        H: the place's elevation; below sea level it counts as 0
 ///

@@ -12,7 +12,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Quotes a text as a gnuplot string. Characters that could end the string or run a shell command are made harmless.
+/// Quotes text as a gnuplot string. Characters that could end the string or run a shell command are made harmless.
 std::string literal(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text)

@@ -57,8 +57,8 @@ std::string reading_of(const LightStrip& strip) {
       strip.roots.height, radii(strip.nearest_km), thickness);
 }
 
-/// Repeats a text for red, green and blue. In it, {0} stands for the channel's capitalised name, {1} for its POV-Ray
-/// name, and {2} for the given number.
+/// Repeats a format string for red, green and blue. In the string, {0} stands for the channel's capitalised name, {1}
+/// for its POV-Ray name, and {2} for the given number.
 std::string each_channel(const char* text, double number = 0) {
   std::string all;
   for (const auto& [name, channel] :

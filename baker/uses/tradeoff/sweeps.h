@@ -46,7 +46,7 @@ std::vector<std::string> solver_names();
 ///        replicas  largest number that the air allows: 1000 if it is symmetric about the axis, otherwise half of that
 std::vector<Sweep> sweeps(bool quick, double replicas);
 
-/// Those of the sweeps that belong to the given solvers.
+/// The sweeps that belong to the given solvers.
 ///
 /// Given  solvers  names from solver_names(); if empty, all
 std::vector<Sweep> sweeps_of(std::span<const std::string> solvers, std::vector<Sweep> sweeps);

@@ -83,7 +83,7 @@ request::Parameter& add_flag(Verb& verb, const std::string& names, Value& value,
   return add_flag(verb, request::parameter(names, value, help));
 }
 
-/// Adds a parameter whose text, such as "2s" or "42.86,-73.77", is read by a function.
+/// Adds a parameter whose text, such as "2s" or "42.86,-73.77", is parsed by a function.
 ///
 /// Given  take  reads the text; throws algebra::Error if it cannot
 ///        text  the default as text, if there is one

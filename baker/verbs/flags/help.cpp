@@ -37,7 +37,7 @@ std::size_t width_of(const std::string& text) {
       std::ranges::count_if(text, [](char byte) { return (byte & 0xC0) != 0x80; }));
 }
 
-/// Wraps a text to the width of the help page, and indents all lines after the first.
+/// Wraps text to the width of the help page, and indents all lines after the first.
 std::string wrapped(const std::string& text, std::size_t indent) {
   std::istringstream words(text);
   std::string lines, line;

@@ -20,7 +20,7 @@ namespace {
 
 using almanac::Instant;
 
-/// Reports on stderr which moment is meant by a text such as a day or a contact.
+/// Reports on stderr which moment is meant by text such as a day or a contact.
 void say(const std::string& asked, const Instant& when, almanac::Calendar calendar) {
   fmt::print(stderr, "coppermoon: {} is {} {} UTC\n", asked, almanac::date_text(when, calendar),
              almanac::time_of_day_text(when));

@@ -13,7 +13,7 @@
 namespace coppermoon::verbs {
 namespace {
 
-/// Escapes a text for roff.
+/// Escapes text for roff.
 std::string in_roff(std::string_view text) {
   std::string safe = text.starts_with('.') || text.starts_with('\'') ? "\\&" : "";
   for (const char letter : text)

@@ -115,8 +115,8 @@ std::string text_of_parts(const Verb& verb, const Parameter& grouped, const Reci
   return fmt::format("{}", fmt::join(parts, ","));
 }
 
-/// Converts the values of a setting to the texts that its parameter expects. In a recipe, true and false may stand for
-/// `on` and `off`. A list becomes several values or, if the parameter has only one, a value with commas.
+/// Converts the values of a setting to the strings that its parameter expects. In a recipe, true and false may stand
+/// for `on` and `off`. A list becomes several values or, if the parameter has only one, a value with commas.
 Texts texts_for(const Verb& verb, const Parameter& parameter, const Setting& setting) {
   if (!setting.parts.empty() && !parameter.parts)
     throw algebra::Error(

@@ -80,7 +80,7 @@ void add_word(Flags& flags, const request::Parameter& flag, const std::string& t
   flags.of_shard.push_back(word);
 }
 
-/// Whether the text given for a flag names a file or folder. It may instead be a word such as "built-in".
+/// Whether the text given for a flag names a file or folder. The text may instead be a word such as "built-in".
 bool names_file(const request::Parameter& flag, const std::string& text) {
   return is_written(flag.kind) || (flag.kind == Kind::file_read && fs::exists(text));
 }

@@ -19,8 +19,8 @@ std::size_t length_told_by(unsigned char first) {
   return first >= 0xF0 && first <= 0xF4 ? 4 : 0;
 }
 
-/// Whether UTF-8 allows the second byte of a character after the first. It does not in overlong encodings, surrogates
-/// and characters above U+10FFFF.
+/// Whether UTF-8 allows the second byte of a character after the first. UTF-8 allows no overlong
+/// encodings, no surrogates and no characters above U+10FFFF.
 bool second_allowed(unsigned char first, unsigned char second) {
   if (first == 0xE0) return second >= 0xA0;
   if (first == 0xED) return second <= 0x9F;
@@ -28,7 +28,7 @@ bool second_allowed(unsigned char first, unsigned char second) {
   return first != 0xF4 || second <= 0x8F;
 }
 
-/// Length of the first character of a text [bytes]; 0 if the text does not begin with valid UTF-8.
+/// Length of the first character of a string [bytes]; 0 if the string does not begin with valid UTF-8.
 std::size_t character_length(std::string_view text) {
   const std::size_t length = length_told_by(byte(text, 0));
   if (length > text.size()) return 0;

@@ -26,7 +26,7 @@ def axes_of(texture, up):
 
 
 def turn(thing, axes):
-    """Turns an object so that its X, Y and Z point along three axes, by the shorter way from its last rotation."""
+    """Rotates an object to align its X, Y and Z with three given axes, along the shorter arc from its last rotation."""
     turned = Matrix(axes).transposed().to_quaternion()
     turned.make_compatible(thing.rotation_quaternion)
     thing.rotation_quaternion = turned

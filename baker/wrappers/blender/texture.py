@@ -112,7 +112,7 @@ def key(owner, texture, *paths):
 
 
 def second_of_day(text):
-    """The time of day [s] in a text such as 2018-07-27T19:30:17Z, or 2018:07:27 19:30:17 from a header."""
+    """The time of day [s] in a string such as 2018-07-27T19:30:17Z, or 2018:07:27 19:30:17 from a header."""
     time = re.search(r"[T ](\d+):(\d+):(\d+(?:\.\d+)?)", text)
     if not time:
         raise Wrong(f"{text}: is no moment, as 2018-07-27T19:30:17Z")

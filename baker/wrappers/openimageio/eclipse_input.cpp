@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reader with which OpenImageIO opens eclipses. A recipe whose name ends in .eclipse counts as an image, namely the
 // texture that `coppermoon bake` makes from it. The program bakes the texture into a folder when the recipe is first
-// read; later reads use that file. So baking never runs inside the host, and a faulty recipe cannot crash it.
+// read; later reads use that file. Baking therefore never runs inside the host, and a faulty recipe cannot crash it.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/strutil.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs long work while other Python threads keep running. Ctrl-C ends the work; a callback is told its progress.
+// Runs long work while other Python threads keep running. Ctrl-C ends the work; a callback receives its progress.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -12,7 +12,7 @@
 
 namespace coppermoon::python {
 
-/// An optional Python function that is told what fraction of the work is done.
+/// An optional Python function that receives the fraction of the work that is done.
 using Callback = std::optional<pybind11::function>;
 
 /// Runs work on another thread, without Python's lock. Twenty times a second the calling thread checks whether Ctrl-C

@@ -14,7 +14,8 @@
 
 namespace coppermoon::python {
 
-/// The parameters of a Python class. Air and Region are described in `uses`; Light also has a tolerance and a budget.
+/// The parameters of a Python class. Those of Air and Region are described in `uses`; Light adds a tolerance and a
+/// budget.
 request::Parameters parameters_of(uses::Air& air);
 request::Parameters parameters_of(uses::AirRegion& region);
 request::Parameters parameters_of(uses::LightRequest& light);

@@ -20,7 +20,7 @@ namespace py = pybind11;
 ///         Error       if a value is not allowed
 void take(request::Parameters parameters, const std::string& function, const py::dict& keywords);
 
-/// The value of a parameter as a Python object: a number, a bool, a text, regions, or None.
+/// The value of a parameter as a Python object: a number, a bool, a string, regions, or None.
 py::object value_of(const request::Parameter& parameter);
 
 /// Adds the Python class of a request. Objects of the class are made from keywords, and have read-only fields.

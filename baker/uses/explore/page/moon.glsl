@@ -13,7 +13,8 @@ uniform mat3 moonFromShadow; // rotation to Moon-fixed axes
 uniform float earthRadius;
 uniform float au;
 
-uniform sampler2D light;     // log2 of light by [plane and sector][node, and reddest or bluest ground]
+// log2 of light. Row: plane and sector; column: node, for the reddest and then the bluest ground
+uniform sampler2D light;
 uniform int nodes, sectors;
 uniform vec3 ends, stretches;  // where each stretch of axis distance ends, and how many nodes it has
 uniform vec2 depths;         // depths of the two planes
