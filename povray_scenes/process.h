@@ -40,7 +40,7 @@ struct Run {
   /// Called when a frame of the subset begins, with its number, counted from 1; all earlier frames are then whole. May
   /// be empty, and may throw. It may be called twice for the same frame.
   std::function<void(std::size_t)> begun = {};
-  /// Whether to kill POV-Ray once it has closed its output file, if the system can report that. Later messages and the
+  /// Whether to stop POV-Ray once it has closed its output file, if the system can report that. Later messages and the
   /// exit status are then lost.
   bool until_closed = false;
   bool with_users_settings = false;  ///< also read povray.ini, for include paths

@@ -29,11 +29,11 @@ def photograph(name, **attributes):
 
 
 def fits(name, *cards):
-    """A float FITS in a sensor's counts, its first row at the bottom."""
-    light = numpy.where(pixels <= 0.04045, pixels / 12.92, ((pixels + 0.055) / 1.055) ** 2.4)[..., 1]
-    counts = 300 + 29000 * light[::-1]
-    rows = ["SIMPLE  =                    T", "BITPIX  =                  -32", "NAXIS   =                    2",
-            f"NAXIS1  = {counts.shape[1]:20d}", f"NAXIS2  = {counts.shape[0]:20d}",
+    """A float FITS in a sensor's counts, a plane for each colour, its first row at the bottom."""
+    light = numpy.where(pixels <= 0.04045, pixels / 12.92, ((pixels + 0.055) / 1.055) ** 2.4)[..., :3]
+    counts = 300 + 29000 * numpy.moveaxis(light[::-1], -1, 0)
+    rows = ["SIMPLE  =                    T", "BITPIX  =                  -32", "NAXIS   =                    3",
+            f"NAXIS1  = {counts.shape[2]:20d}", f"NAXIS2  = {counts.shape[1]:20d}", f"NAXIS3  = {counts.shape[0]:20d}",
             "DATE-OBS= '2018-07-27T18:54:17'", "EXPTIME =              0.03125", "GAIN    =                  100",
             "INSTRUME= 'a camera'", *cards, "END"]
     header = "".join(row.ljust(80) for row in rows)

@@ -29,8 +29,8 @@ using Clock = std::chrono::steady_clock;
   throw Error(fmt::format("no pipe to another program: {}", std::strerror(errno)));
 }
 
-/// Replaces the forked child with the program; returns only on failure. It may call only functions that are safe after a
-/// fork in a process with many threads.
+/// Replaces the forked child with the program; returns only on failure. It may call only functions that are safe after
+/// a fork in a process with many threads.
 void become(char* const* arguments, char* const* variables, const Program& program,
             const Streams& streams, pid_t parent) {
   if (program.outlives_us ? ::setpgid(0, 0) != 0

@@ -64,8 +64,8 @@ struct QuadratureSettings {
 ///           3e-4 with 300 rays, 1.5e-4 and 8e-5 with 1000 rays; farther out, 1e-5 of unshaded sunlight. Omitted
 ///           harmonics cause errors of 4e-4 with belts; with regions, 1e-4 on average and 2e-2 if a region is dim
 ///           beside its neighbour
-/// Omits     the difference between bending along the ellipsoid's vertical and towards the axis. The difference displaces light
-///           by 21 km at most, which is little beside the 3600 km over which the Sun's disc blurs light
+/// Omits     the difference between bending along the ellipsoid's vertical and towards the axis. The difference
+///           displaces light by 21 km at most, which is little beside the 3600 km over which the Sun's disc blurs light
 /// Throws    Error             if an argument is outside its range
 RefractedLight by_quadrature(const atmosphere::Atmosphere& atmosphere,
                              const Arrangement& arrangement, std::span<const double> wavelengths_nm,

@@ -19,8 +19,8 @@ inline constexpr const char *seal_attribute = "coppermoon:fingerprint",
 /// Throws  Error  when the file cannot be read or written
 void seal(const files::Handle& file, const std::filesystem::path& path);
 
-/// Whether every byte of an OpenEXR file is as it was when the file was sealed. The check matters for half floats packed with
-/// PIZ, which have no checksum of their own.
+/// Whether every byte of an OpenEXR file is as it was when the file was sealed. The check matters for half floats
+/// packed with PIZ, which have no checksum of their own.
 ///
 /// Returned  false for a file that has no seal or cannot be read
 bool is_sealed(const std::filesystem::path& path);

@@ -85,7 +85,7 @@ FrameGeometry geometry_of(const std::string& file) {
   const auto view = uses::seen_through(flags.camera, flags.view);
   const auto camera = uses::camera_of(flags.camera);
   return {sky, uses::view_for_frame(view, sky).view.camera, camera ? camera->glow : 0,
-          flags.moon.request.response};
+          flags.camera.response};
 }
 
 /// Reads the light of a render and converts it to linear Rec.709 from the colour space that its header names.
@@ -316,16 +316,18 @@ void run(const Options& options) {
       geometry_of(options.recipe_in.empty() ? options.render : options.recipe_in);
   const auto photo = uses::photo_light(options.photo, coding, options.response),
              frame = read_render(options, camera);
-  const auto as_shot = uses::as_shot_balance(options.photo);
   std::optional<uses::CameraColours> colours;
   if (coding == texture::Coding::camera)
-    colours = uses::camera_colours(options.response ? options.response : of_frame, as_shot);
+    colours = uses::camera_colours(options.response ? options.response : of_frame,
+                                   uses::as_shot_balance(options.photo));
   Found found{sky.when, exif, coding,
               uses::compared(photo, frame, sky, camera, {exif, colours, glow, options.bins})};
-  if (colours)
-    found.balance = {found.comparison.writing->colours.gains, colours->gains == glm::dvec3(1)
-                                                                  ? std::nullopt
-                                                                  : std::optional(colours->gains)};
+  if (colours) {
+    // they are 1 without maker's notes, and where the response does not tell the camera's channels
+    const bool told = colours->gains != glm::dvec3(1);
+    found.balance = {found.comparison.writing->colours.gains,
+                     told ? std::optional(colours->gains) : std::nullopt};
+  }
   if (!options.output.empty())
     texture::write_png(options.output, uses::comparison_sheet(photo, found.comparison), 8);
   if (const auto& writing = found.comparison.writing)

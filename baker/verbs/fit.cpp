@@ -141,7 +141,8 @@ bool are_by_gps(const Options& options) try {
   return false;
 }
 
-/// Adds photographs with the times in their headers. Photographs without a date are left out. Throws if none has a date.
+/// Adds photographs with the times in their headers. Photographs without a date are left out. Throws if none has a
+/// date.
 void add_by_headers(const Options& options, bool by_gps, Input& input) {
   for (std::size_t i = 0; i < options.photos.size(); ++i) {
     std::optional<uses::HeaderClock> clock;

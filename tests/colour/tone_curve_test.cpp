@@ -96,6 +96,26 @@ TEST(ToneCurve, ChangesAsItsDerivativesSay) {
   }
 }
 
+TEST(ToneCurve, IsFreeInItsToeAndNearlyKnownAbove) {
+  // the triangles stand at levels 0.04 + 0.92 j / 15, and add up to 1 between two
+  constexpr std::array heights{0.4, 0.1, 0.04, 0.025, 0.025};
+  for (std::size_t j = 0; j + 1 < heights.size(); ++j) {
+    const double step = 0.92 / 15, level = 0.04 + step * static_cast<double>(j);
+    for (const double beyond : {0., 0.25, 0.5}) {
+      const auto derivatives = tone_derivatives(displayed_at(level + beyond * step));
+      for (std::size_t other = 0; other < tone_levels; ++other)
+        EXPECT_WITHIN(derivatives[tone_components + other],
+                      other == j       ? heights[j] * (1 - beyond)
+                      : other == j + 1 ? heights[j + 1] * beyond
+                                       : 0,
+                      1e-6, "sRGB's two pieces meet to seven digits")
+            << level << " " << other;
+    }
+  }
+  EXPECT_WITHIN(tone_derivatives(displayed_at(0.01))[tone_components], 0.4, 1e-12,
+                "below the first");
+}
+
 TEST(ToneCurve, TabulatedIsTheSame) {
   ToneCurve curve;
   curve.numbers = {1, -0.5, 0.7};

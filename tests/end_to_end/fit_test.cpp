@@ -103,6 +103,19 @@ TEST_F(Fit, ExplainsAStillInTheAirOfItsMonth) {
   }
 }
 
+TEST_F(Fit, ExplainsTheUmbraBesideABurntCrescent) {
+  constexpr const char* instant = "2018-07-27T19:04:28Z";
+  make(words_of("still {} --at Nairobi --width 900 --height 600 --time 1 -o st.png", instant));
+  const auto found = fit(words_of("st.png --instants {} --at Nairobi", instant));
+  EXPECT_EQ(found["explained"], true);
+  EXPECT_LT(found["chi_squared"], found["numbers"]) << "compressed highlights are not light";
+  for (const char* factor : {"stratospheric_factor", "cloud_chance", "ozone_factor"}) {
+    const double low = found[factor]["low_68"], high = found[factor]["high_68"];
+    EXPECT_WITHIN(found[factor]["median"].get<double>(), 1, 2 * (high - low),
+                  "the usual air, within four standard errors");
+  }
+}
+
 using FitThoroughly = Fit;
 
 TEST_F(FitThoroughly, SeesThroughTheFiltersOfThePhotographsCamera) {

@@ -27,9 +27,11 @@
 #include "colour/measured_tone_curves.h"
 #include "colour/photograph.h"
 #include "colour/similarity.h"
+#include "colour/srgb.h"
 #include "eclipse/contacts.h"
 #include "eclipse/shadow_axis.h"
 #include "povray_scenes/scene_camera.h"
+#include "support/maker_notes.h"
 #include "support/program.h"
 #include "surface/albedo_map.h"
 #include "texture/bake.h"
@@ -64,8 +66,11 @@ struct NightTruth {
   std::string camera = "Canon EOS 6D";  ///< whose tone curve: measured_tone_curves
   double clock_s = 0;                   ///< to be added to what the camera's clock says
   double exposed = 1;                   ///< factor on all exposures
-  double white_balance_drift =
-      0.15;                 ///< of each photograph, standard, as cameras set it by themselves
+  /// of each photograph beside what the scene asks for, standard, as cameras set it by themselves
+  double white_balance_drift = 0.05;
+  bool notes = false;  ///< the header has the white balance, as Canon and Nikon write it
+  double toe = 0;      ///< how much darker than by the curve black is shown: a logarithm of levels
+  glm::dvec3 lifted{0};     ///< what the camera adds to each channel, over the brightest one
   double matrix_error = 0;  ///< standard, of each mixture of two channels
   double saturation = 1;    ///< of the JPEG's style
   /// of the ground's albedo in each place of 200 km and each channel, standard, from the map that a fit is told
@@ -80,8 +85,8 @@ struct NightOccasion {
   std::vector<double> short_min, long_min;  ///< of sunlit ground; of the umbra
 };
 
-/// Photographs of one night as a camera takes them by itself: JPEGs with its own tone curve, colours that
-/// drift, clipped shadows and lights, a clock that is wrong. The light is planned and computed as for any
+/// Photographs of one night as a camera takes them by itself: JPEGs with its own tone curve, brightness and white
+/// balance that drift, clipped shadows, lights and colours, a clock that is wrong. The light is planned and computed as for any
 /// frame; the fit's own bins and nodes have no part in it.
 class MadeNight {
  public:
@@ -106,6 +111,12 @@ class MadeNight {
     view_.width = view_.height = side;
     angle_rad_ = 2 * std::numbers::pi * random_.uniform();
     mixture_ = mixture();
+    if (truth.stranger) {
+      const auto spectra = colour::camera_spectra(truth.stranger->response);
+      rec709_from_channels_ = colour::channels_from_xyz(colour::WorkingSpace::linear_rec709) *
+                              spectra.xyz_from_balanced;
+      by_daylight_ = spectra.daylight.g / spectra.daylight;
+    }
     algebra::Random ground(truth.seed, 8);
     for (double& factor : ground_factors_) factor = std::exp(truth.map_error * normal_of(ground));
   }
@@ -228,9 +239,9 @@ class MadeNight {
     return saturated * matrix;
   }
 
-  /// The scene [cd/m²], a mean over four places of each pixel.
+  /// The scene [cd/m²] in the channels of the camera, a mean over four places of each pixel.
   colour::Image scene(const almanac::SkyState& sky, const shadow::Lookup& lookup) const {
-    constexpr auto rec709 = colour::WorkingSpace::linear_rec709;
+    const auto channels_from_rec709 = glm::inverse(rec709_from_channels_);
     const auto seen = uses::view_of(view_, sky);
     const auto sight = povray_scenes::sight_of(seen.camera);
     const auto axis = eclipse::shadow_axis(sky);
@@ -249,11 +260,12 @@ class MadeNight {
           if (!ground) continue;
           lookup.read(eclipse::place_of_ground(axis, sky, *ground), values);
           if (std::max({values[0], values[1], values[2]}) < 1e-20) continue;
-          colour::into_gamut(rec709, values);
+          const auto channels = channels_from_rec709 * glm::dvec3(values[0], values[1], values[2]);
           const double bright = surface::sampled(map, almanac::selenographic_point(*ground)) / 4;
           const auto factors = ground_factors(glm::normalize(*ground));
           for (std::size_t k = 0; k < 3; ++k)
-            image(r, c)[k] += static_cast<float>(bright * factors[k] * values[k]);
+            image(r, c)[k] += static_cast<float>(bright * factors[k] *
+                                                 std::max(0., channels[static_cast<int>(k)]));
         }
     return image;
   }
@@ -291,7 +303,7 @@ class MadeNight {
     auto image = scene(sky, lookup);
     const auto setting = setting_for(image, camera, deep);
     const auto [time_s, speed] = setting;
-    const double shutter = truth_.stranger ? 0.01 : 0.03;
+    constexpr double shutter = 0.1;  // 17 % between frames of one setting were seen
     const double pixel_rad = 2 * std::tan(field_deg / 2 * std::numbers::pi / 180) / side;
     // a sensor holds more than white, so that white is white in all channels
     constexpr double headroom = 1.6;
@@ -304,23 +316,53 @@ class MadeNight {
                               2e-4,
                               truth_.seed,
                               frame_++});
-    const std::array<double, 3> gains{headroom * std::exp(truth_.white_balance_drift * normal()),
-                                      headroom,
-                                      headroom * std::exp(truth_.white_balance_drift * normal())};
     auto shown = uses::image_of(taken.scene_linear);
-    for (std::size_t i = 0; i < shown.values.size(); ++i)
-      shown.values[i] *= static_cast<float>(
-          gains[i % 3] / colour::saturation_cd_m2(camera, {time_s, f_number, speed}));
-    mix(shown);
+    const double white = colour::saturation_cd_m2(camera, {time_s, f_number, speed}) / headroom;
+    for (float& value : shown.values) value /= static_cast<float>(white);
+    const auto gains = automatic_balance(shown);
+    develop(shown, gains);
     write_jpeg(file, turned(shown), setting, told);
+    if (const auto make = make_of_camera(); truth_.notes && (make == "Canon" || make == "NIKON")) {
+      const auto as_shot = gains * by_daylight_;
+      support::write_balance(file.string(), make, {as_shot.r, as_shot.g, as_shot.b});
+    }
   }
 
-  void mix(texture::Image& image) const {
+  /// Gains that the camera chooses, relative to those of daylight. From sunlit ground to the umbra, an EOS 550D went from
+  /// 2166 of red and 1686 of blue, over 1024, to 1542 and 2260.
+  glm::dvec3 automatic_balance(const texture::Image& channels) {
+    constexpr double reddest = 1.5;  // logarithm of red over blue
+    glm::dvec3 sum(1e-9);
+    for (std::size_t i = 0; i < channels.values.size(); ++i)
+      sum[static_cast<int>(i % 3)] += std::clamp(channels.values[i], 0.F, 1.F);
+    const double umbra = std::clamp(std::log(sum.r / sum.b) / reddest, 0., 1.);
+    const double red = truth_.white_balance_drift * normal(),
+                 blue = truth_.white_balance_drift * normal();
+    return {std::pow(1542. / 2166, umbra) * std::exp(red), 1,
+            std::pow(2260. / 1686, umbra) * std::exp(blue)};
+  }
+
+  /// From the camera's channels to linear Rec.709, without what no sRGB holds.
+  void develop(texture::Image& image, const glm::dvec3& gains) const {
     for (std::size_t i = 0; i < image.values.size(); i += 3) {
       auto* pixel = &image.values[i];
-      const auto mixed = mixture_ * glm::dvec3(pixel[0], pixel[1], pixel[2]);
-      for (int k = 0; k < 3; ++k) pixel[k] = static_cast<float>(mixed[k]);
+      const auto mixed =
+          mixture_ * rec709_from_channels_ * (gains * glm::dvec3(pixel[0], pixel[1], pixel[2]));
+      const double brightest = std::max({mixed.r, mixed.g, mixed.b, 0.});
+      for (int k = 0; k < 3; ++k)
+        pixel[k] = static_cast<float>(std::max(0., mixed[k] + truth_.lifted[k] * brightest));
     }
+  }
+
+  std::string name_of_camera() const {
+    return truth_.stranger ? truth_.stranger->name : truth_.camera;
+  }
+
+  std::string make_of_camera() const {
+    const auto name = name_of_camera();
+    return name.starts_with("ILCE")  ? "SONY"
+           : name.starts_with("X-T") ? "FUJIFILM"
+                                     : name.substr(0, name.find(' '));
   }
 
   texture::Image turned(const texture::Image& image) const {
@@ -354,16 +396,15 @@ class MadeNight {
     std::vector<float> shown;
     for (const float value : image.values) {
       const double y = std::clamp(curve(std::clamp(double{value}, 0., 1.)), 0., 1.);
+      const double level = colour::srgb_code(y);
+      constexpr double toe_ends = 0.1;
       shown.push_back(
-          static_cast<float>(y <= 0.0031308 ? 12.92 * y : 1.055 * std::pow(y, 1 / 2.4) - 0.055));
+          static_cast<float>(level * std::exp(-truth_.toe * std::max(0., 1 - level / toe_ends))));
     }
     OIIO::ImageSpec spec(side, side, 3, OIIO::TypeDesc::UINT8);
     spec.attribute("compression", "jpeg:92");
-    const auto& name = truth_.stranger ? truth_.stranger->name : truth_.camera;
-    spec.attribute("Make", name.starts_with("ILCE")  ? "SONY"
-                           : name.starts_with("X-T") ? "FUJIFILM"
-                                                     : name.substr(0, name.find(' ')));
-    spec.attribute("Model", name);
+    spec.attribute("Make", make_of_camera());
+    spec.attribute("Model", name_of_camera());
     // OpenImageIO 2.4 writes whole seconds as a fraction over nothing
     const double time_s = truth_.stranger ? nominal_s(setting.time_s) : setting.time_s;
     spec.attribute("ExposureTime", static_cast<float>(time_s * 1.0001));
@@ -390,7 +431,8 @@ class MadeNight {
   uses::MoonRequest moon_;
   uses::ViewRequest view_;
   double angle_rad_ = 0;
-  glm::dmat3 mixture_{1};
+  glm::dmat3 mixture_{1}, rec709_from_channels_{1};
+  glm::dvec3 by_daylight_{2.115, 1, 1.646};        ///< gains by which daylight is white
   static constexpr std::size_t cells_across = 17;  ///< of the Moon's diameter
   std::vector<double> ground_factors_ =
       std::vector<double>(3 * cells_across * cells_across * cells_across);
@@ -405,6 +447,16 @@ inline std::vector<NightOccasion> night_occasions() {
           {"2015-09-28T02:47:07Z", 30, -40, sunlit, umbra},
           {"2010-12-21T08:16:57Z", 40, -100, sunlit, umbra},
           {"2000-07-16T13:55:35Z", -20, 150, {-100, -80, 75, 100}, {-85, -40, 0, 40, 85}}};
+}
+
+/// What a camera does to dark levels and colours, and whether it writes its white balance down, at random.
+inline void draw_development(NightTruth& truth, algebra::Random& random) {
+  constexpr double of_toe = 0.25, most_lifted = 0.02;
+  truth.notes = random.uniform() < 0.5;
+  const double distance = std::sqrt(-2 * std::log(1 - random.uniform()));
+  truth.toe =
+      of_toe * std::clamp(distance * std::cos(2 * std::numbers::pi * random.uniform()), -2., 2.);
+  for (int k = 0; k < 3; ++k) truth.lifted[k] = most_lifted * random.uniform();
 }
 
 /// Air, camera and clock of a night of nine photographs, at random.
@@ -430,6 +482,7 @@ inline NightTruth night_truth(std::uint64_t night) {
   truth.matrix_error = 0.03;
   truth.saturation = 1 + 0.2 * std::clamp(normal(), -2., 2.);
   truth.seed = night;
+  draw_development(truth, random);
   return truth;
 }
 
@@ -525,6 +578,9 @@ inline StrangersNight strangers_night(std::uint64_t night) {
   truth.exposed = in_decades(0.5, 2);
   truth.seed = 1000 + night;
   const auto zone = one_of(std::array{ZoneGiven::none, ZoneGiven::right, ZoneGiven::an_hour_wrong});
+  draw_development(truth, random);
+  if (truth.notes && truth.stranger->name.starts_with("Pentax"))
+    truth.stranger->name = "NIKON D3300";  // whose notes are read, and whose filters are not known
   const auto occasions = strangers_occasions();
   return {truth, occasions[night % occasions.size()], zone,
           error_s + (zone == ZoneGiven::an_hour_wrong ? 3600 : 0)};

@@ -68,11 +68,11 @@ uses::AirFit fitted_twice(const uses::MoonPart& photo, double value_per_cd_m2, c
                           const uses::FitScene& scene, const uses::FittedLight& light) {
   const auto night_of = [&](const uses::FitScene& of_air, const colour::Registration& found,
                             bool in_its_air) -> uses::Binned {
-    return {0,
-            std::make_shared<const uses::FitScene>(of_air),
-            binned(of_air, photo, found.render_to_photo),
-            {.value_per_cd_m2 = value_per_cd_m2,
-             .place_error_km = place_error_km(of_air, found, in_its_air)}};
+    return {.photograph = 0,
+            .scene = std::make_shared<const uses::FitScene>(of_air),
+            .light = binned(of_air, photo, found.render_to_photo),
+            .errors = {.value_per_cd_m2 = value_per_cd_m2,
+                       .place_error_km = place_error_km(of_air, found, in_its_air)}};
   };
   const auto found = registration_of(scene, photo);
   const auto fit = fitted_to(night_of(scene, found, false), light);

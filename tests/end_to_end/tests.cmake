@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # The whole program, as a user runs it.
-coppermoon_tests(end_to_end LINKS coppermoon::verbs PkgConfig::OpenImageIO
+coppermoon_tests(end_to_end LINKS coppermoon::verbs PkgConfig::OpenImageIO PkgConfig::Exiv2
   HEAVY animate bad_input brightness cache camera compare craters describe dome eclipses explore exposure film_files film_job film_folder film_pictures film_scene film_stage frame_passes fit high_range hue image_reader json
         lost_files low_moon merge night orientation outputs paper_figures personal_settings plans recipes refusals ring scene_folder shader sky_exposure start terms texture_files
         tradeoff

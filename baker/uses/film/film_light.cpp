@@ -45,7 +45,7 @@ LightRequest with_shards(LightRequest request, const std::filesystem::path& fold
   return request;
 }
 
-/// Differences between the light in the folder and the requested light. No differences are returned if `asked` equals either the
+/// Differences between the light in the folder and the requested light. Empty if `asked` equals either the
 /// request stored with the light or the recipe of its planned run.
 std::vector<request::Difference> differences_of(const KeptLight& known,
                                                 const request::Recipe& asked) {

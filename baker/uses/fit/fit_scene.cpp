@@ -217,13 +217,6 @@ std::vector<algebra::Grid<double>> differences_by_filters(const FitScene& scene,
 
 }  // namespace
 
-std::array<double, 3> xyz_of_rec709(std::span<const double> rgb) {
-  static const auto to_xyz =
-      glm::inverse(colour::channels_from_xyz(colour::WorkingSpace::linear_rec709));
-  const auto xyz = to_xyz * glm::dvec3(rgb[0], rgb[1], rgb[2]);
-  return {xyz.x, xyz.y, xyz.z};
-}
-
 std::array<double, 3> sunlight_of(const algebra::Grid<double>& weights) {
   std::array<double, 3> xyz{};
   for (std::size_t k = 0; k < 3; ++k) {

@@ -66,9 +66,6 @@ struct FitGroundwork {
   std::optional<shadow::Lookup> by_filters = {};
 };
 
-/// X, Y, Z of light in linear Rec.709.
-std::array<double, 3> xyz_of_rec709(std::span<const double> rgb);
-
 /// Light of sunlit ground outside the shadow, converted by rec709_of.
 ///
 /// Given  weights  (X Y Z, band)

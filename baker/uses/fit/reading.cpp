@@ -2,6 +2,7 @@
 #include "uses/fit/reading.h"
 
 #include "colour/camera.h"
+#include "colour/camera_spectra.h"
 #include "colour/exposure.h"
 #include "uses/picture/as_shot_balance.h"
 
@@ -96,7 +97,10 @@ Reading reading_of(const FitRequest& request, const EclipsePhotograph& photograp
                                                                                 : linear);
     if (is_grey(photo))
       throw algebra::Error("shades of grey, allowed are colours: red, green and blue");
-    const auto as_shot = reading.curved ? as_shot_balance(photograph.file) : std::nullopt;
+    // without the sensor's channels, its gains say nothing
+    const bool spectral = request.moon.response && colour::is_spectral(*request.moon.response);
+    const auto as_shot =
+        reading.curved && spectral ? as_shot_balance(photograph.file) : std::nullopt;
     if (reading.curved) reading.colours = camera_colours(request.moon.response, as_shot);
     reading.errors = errors_of(request, photograph, reading, as_shot.has_value());
   } catch (const algebra::Error& error) {

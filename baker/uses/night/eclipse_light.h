@@ -54,9 +54,9 @@ MoonAndSky moon_and_sky(const DiscBrightness& above, const almanac::SkyState& sk
 /// Function that gives the brightness of the whole Moon at a moment, without the effect of air.
 using BrightnessAt = std::function<DiscBrightness(const almanac::SkyState&)>;
 
-/// The night with the times when the Moon is seen. The Moon is seen if it is up, and if a uniform disc of its mean luminance
-/// is brighter than the sky by more than the eye's contrast threshold (atmosphere/eye_contrast.h). The moments "first
-/// seen" and "last seen" are added unless they coincide with moonrise, moonset, P1 or P4.
+/// The night with the times when the Moon is seen. The Moon is seen if it is up, and if a uniform disc of its mean
+/// luminance is brighter than the sky by more than the eye's contrast threshold (atmosphere/eye_contrast.h). The
+/// moments "first seen" and "last seen" are added unless they coincide with moonrise, moonset, P1 or P4.
 ///
 /// Accuracy  10 s for a known threshold and sky. Both are uncertain by some tens of percent, which amounts to 2 to
 ///           5 min of twilight

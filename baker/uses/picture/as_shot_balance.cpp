@@ -2,8 +2,12 @@
 #include "uses/picture/as_shot_balance.h"
 
 #include <algorithm>
-#include <exiv2/exiv2.hpp>
 #include <map>
+#include <sstream>
+#include <vector>
+
+#include "algebra/number.h"
+#include "uses/picture/photo_header.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -20,32 +24,40 @@ const std::map<std::size_t, std::size_t> canon_first_gain{
 
 Gains over_green(double red, double green, double blue) { return {red / green, 1, blue / green}; }
 
-std::optional<Gains> gains_in(const Exiv2::ExifData& header) {
-  if (const auto nikon = header.findKey(Exiv2::ExifKey("Exif.Nikon3.WB_RBLevels"));
-      nikon != header.end() && nikon->count() >= 2)
-    return over_green(nikon->toFloat(0), 1, nikon->toFloat(1));
-  const auto canon = header.findKey(Exiv2::ExifKey("Exif.Canon.ColorData"));
+/// Numbers in a string, such as "468/256 406/256" or "1542 1024".
+std::vector<double> numbers_in(const std::string& text) {
+  std::vector<double> all;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const auto bar = word.find('/');
+    const auto over = algebra::number_in(word.substr(0, bar)),
+               under = bar == word.npos ? 1 : algebra::number_in(word.substr(bar + 1));
+    all.push_back(over.value_or(0) / under.value_or(0));
+  }
+  return all;
+}
+
+std::optional<Gains> gains_in(const PhotoHeader& header) {
+  if (const auto nikon = header.find("WB_RBLevels"); nikon != header.end()) {
+    const auto gains = numbers_in(nikon->second);
+    if (gains.size() >= 2) return over_green(gains[0], 1, gains[1]);
+  }
+  const auto canon = header.find("ColorData");
   if (canon == header.end()) return std::nullopt;
-  const auto first = canon_first_gain.find(static_cast<std::size_t>(canon->count()));
+  const auto data = numbers_in(canon->second);
+  const auto first = canon_first_gain.find(data.size());
   if (first == canon_first_gain.end()) return std::nullopt;
-  const auto at = [&](std::size_t i) {
-    return canon->toFloat(static_cast<long>(first->second + i));
-  };
+  const auto at = [&](std::size_t i) { return data[first->second + i]; };
   return over_green(at(0), at(1), at(3));
 }
 
 }  // namespace
 
-std::optional<Gains> as_shot_balance(const std::string& photo) try {
+std::optional<Gains> as_shot_balance(const std::string& photo) {
   constexpr double least = 0.1, most = 10;
-  Exiv2::LogMsg::setLevel(Exiv2::LogMsg::mute);
-  const auto image = Exiv2::ImageFactory::open(photo);
-  image->readMetadata();
-  const auto gains = gains_in(image->exifData());
+  const auto gains = gains_in(photo_header(photo));
   const auto sound = [](double gain) { return gain >= least && gain <= most; };
   return gains && std::ranges::all_of(*gains, sound) ? gains : std::nullopt;
-} catch (const Exiv2::Error&) {  // not a photograph with a header
-  return std::nullopt;
 }
 
 }  // namespace coppermoon::uses

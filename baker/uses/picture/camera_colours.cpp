@@ -40,6 +40,13 @@ std::array<double, 3> rec709_of(std::span<const double> xyz) {
   return channels;
 }
 
+std::array<double, 3> xyz_of_rec709(std::span<const double> rgb) {
+  static const auto to_xyz =
+      glm::inverse(colour::channels_from_xyz(colour::WorkingSpace::linear_rec709));
+  const auto xyz = to_xyz * glm::dvec3(rgb[0], rgb[1], rgb[2]);
+  return {xyz.x, xyz.y, xyz.z};
+}
+
 std::array<double, 3> rec709_by(const std::optional<CameraColours>& colours,
                                 std::span<const double> xyz, double least) {
   constexpr double dark = 1e-12;

@@ -32,6 +32,9 @@ CameraColours camera_colours(const std::optional<std::string>& response,
 /// Given  xyz  of moonlight, in any unit
 std::array<double, 3> rec709_of(std::span<const double> xyz);
 
+/// X, Y, Z of light in linear Rec.709.
+std::array<double, 3> xyz_of_rec709(std::span<const double> rgb);
+
 /// Moonlight as a camera writes it: linear Rec.709, each channel at least `least` times the brightest, and 1e-12.
 ///
 /// Given  colours  if absent, light is brought into the gamut as in renders

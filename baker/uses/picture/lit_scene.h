@@ -55,8 +55,8 @@ enum class Renderer { povray, mitsuba };
 void require_scene_folder(const std::filesystem::path& folder, const ViewRequest& view,
                           Renderer renderer = Renderer::povray);
 
-/// Writes moon.inc, eclipse_stars.inc and coppermoon.inc into the folder of a scene that has an observer. These files provide
-/// its Moon and stars for scenes that the user writes (povray_scenes::moon_include, star_include). Without an
+/// Writes moon.inc, eclipse_stars.inc and coppermoon.inc into the folder of a scene that has an observer. These files
+/// provide its Moon and stars for scenes that the user writes (povray_scenes::moon_include, star_include). Without an
 /// observer, nothing is written. The sky that moon.inc shows comes from write_sky.
 ///
 /// Given     request   the request for the scene's view, which sets the air of the sky

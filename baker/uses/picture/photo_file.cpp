@@ -312,7 +312,7 @@ std::optional<std::string> developer_of(const std::string& photo) {
   return program_of(photo, developers);
 }
 
-std::optional<std::string> editor_of(const std::string& photo) {
+std::optional<std::string> editor_of(const std::string& photo) try {
   constexpr double floating_bits = 32;
   const auto bits = first_number(texture::read_attribute(photo, "oiio:BitsPerSample").value_or(""));
   const bool whole_tiff = bits && *bits < floating_bits && !texture::is_raw_file(photo);
@@ -320,6 +320,8 @@ std::optional<std::string> editor_of(const std::string& photo) {
     return developer;
   auto program = program_of(photo, developers);
   return program ? program : program_of(photo, editors);
+} catch (const algebra::Error&) {
+  return std::nullopt;
 }
 
 texture::Coding coding_of(const std::string& photo, texture::Coding told) {

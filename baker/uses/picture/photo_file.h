@@ -67,7 +67,8 @@ std::optional<HeaderClock> gps_clock_of(const std::string& photo);
 std::optional<std::string> developer_of(const std::string& photo);
 
 /// The program that a header names as having developed, edited or only saved a picture of whole numbers, whether it
-/// names a camera or not: no known tone curve leads from such numbers to light. Nothing for raw files.
+/// names a camera or not: no known tone curve leads from such numbers to light. Nothing for raw
+/// files and for files that cannot be read.
 std::optional<std::string> editor_of(const std::string& photo);
 
 /// Coding of a photograph's numbers, as requested. If the request leaves it to the file, it is the camera's tone

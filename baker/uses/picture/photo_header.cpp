@@ -17,7 +17,9 @@ PhotoHeader photo_header(const std::string& photo) try {
   for (const auto& one : image->exifData()) {
     const auto group = one.groupName();
     const bool bytes = one.typeId() == Exiv2::undefined || one.typeId() == Exiv2::unsignedByte;
-    if (!bytes && (group == "Image" || group == "Photo" || group == "GPSInfo"))
+    const bool balance = (group == "Nikon3" && one.tagName() == "WB_RBLevels") ||
+                         (group == "Canon" && one.tagName() == "ColorData");
+    if (!bytes && (group == "Image" || group == "Photo" || group == "GPSInfo" || balance))
       header.emplace(one.tagName(), one.toString());
   }
   for (const auto& one : image->xmpData()) {

@@ -8,7 +8,8 @@
 namespace coppermoon::uses {
 
 /// Strings in a photograph's EXIF and XMP, by the name of the tag, such as {"ExposureTime", "1/30"}. If both have a
-/// tag, the string is EXIF's. A list has blanks or commas between its values.
+/// tag, the string is EXIF's. A list has blanks or commas between its values. Of the maker's notes it has Nikon's
+/// WB_RBLevels and Canon's ColorData.
 ///
 /// Returned  empty for a file that has neither, or is of a kind that has none (OpenEXR, FITS)
 using PhotoHeader = std::map<std::string, std::string, std::less<>>;

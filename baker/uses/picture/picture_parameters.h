@@ -64,7 +64,7 @@ void describe_passes(request::Parameters& is, bool& passes);
 /// Throws  Error  when the string is none of them
 ExposureTime exposure_time_from(const std::string& text);
 
-/// Reads an exposure time in seconds, such as "4", "0.03" or "1/30"; nothing for any other text.
+/// Reads an exposure time in seconds, such as "4", "0.03" or "1/30"; nothing for any other string.
 std::optional<double> exposure_seconds(const std::string& text);
 
 }  // namespace coppermoon::uses

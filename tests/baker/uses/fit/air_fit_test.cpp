@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "uses/fit/air_fit.h"
 
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec3.hpp>
+
 #include "almanac/instant.h"
 #include "colour/working_space.h"
 #include "eclipse/shadow_axis.h"
@@ -12,8 +16,10 @@ namespace {
 
 constexpr std::size_t bins = 4;
 
-/// Light of places of the shadow in air without a month, from near the axis to the umbra's edge.
-FittedLight light_of_the_shadow(const std::optional<AirRange>& range = {}) {
+/// Light of places of the shadow, from near the axis to the umbra's edge.
+FittedLight light_of_the_shadow(const std::optional<AirRange>& range = {},
+                                Unknowns unknowns = Unknowns::amounts,
+                                FittedAirs airs = FittedAirs::fine) {
   const auto sky = almanac::sky_at(almanac::instant_from_utc("2018-07-27T20:40:00Z"));
   LitBins all{
       moonlight_weights(colour::channel_weights(colour::WorkingSpace::ciexyz_d65, band_edges_nm())),
@@ -25,9 +31,8 @@ FittedLight light_of_the_shadow(const std::optional<AirRange>& range = {}) {
     all.places.push_back({place, 1, b});
   }
   LightRequest request;
-  request.air.atmosphere = "undated";
-  return {request, Unknowns::amounts, std::span(&sky, 1), std::span(&all, 1), FittedAirs::fine, {},
-          range};
+  if (unknowns == Unknowns::amounts) request.air.atmosphere = "undated";
+  return {request, unknowns, std::span(&sky, 1), std::span(&all, 1), airs, {}, range};
 }
 
 /// Air found where X, Y and Z of all places are those of some light, with a relative error.
@@ -114,6 +119,63 @@ TEST(AirFit, OfLightInARangeStaysInIt) {
   const auto none = fitted_to(light, truth, 1e3);
   EXPECT_GE(none.posterior.estimates[0].low, std::log(3e-6));
   EXPECT_LE(none.posterior.estimates[0].high, std::log(5e-6));
+}
+
+/// Light in air of a month, whose values do not matter.
+const FittedLight& light_of_a_month() {
+  static const auto light = light_of_the_shadow({}, Unknowns::factors, FittedAirs::coarse);
+  return light;
+}
+
+TEST(AirFit, OfDataThatSayNothingIsThePriorAroundTheMonth) {
+  const DataSet data{light_of_a_month(), [](const auto&) { return GoodnessOfFit{0}; }, 10};
+  const auto fit = fitted_air(std::span(&data, 1));
+  const auto& [aerosol, cloud, ozone] = fit.posterior.estimates;
+  for (const auto* estimate : {&aerosol, &cloud}) {
+    EXPECT_WITHIN(estimate->median, 0, 0.07, "the limits of the range; a tenth of a deviation");
+    EXPECT_WITHIN(estimate->low, -0.7, 0.07, "a tenth of a deviation");
+    EXPECT_WITHIN(estimate->high, 0.7, 0.07, "a tenth of a deviation");
+    EXPECT_LT(estimate->information, 0.1);
+  }
+  EXPECT_WITHIN(ozone.median, 1, 0.015, "a tenth of a deviation");
+  EXPECT_WITHIN(ozone.high - ozone.low, 0.3, 0.03, "a tenth of a deviation");
+  EXPECT_WITHIN(fit.best[0], 1, 0.15, "half a step of the grid");
+}
+
+TEST(AirFit, OfDataIsTheirProductWithThePrior) {
+  const auto& light = light_of_a_month();
+  const AirNumbers truth{1.3, 0.9, 1.05};
+  const glm::dvec3 place(std::log(truth[0]), std::log(truth[1]), truth[2]), prior(0, 0, 1);
+  const auto logarithm = [&](const glm::dvec3& at, std::size_t i) {
+    return std::log(light.at({std::exp(at.x), std::exp(at.y), at.z}).values()[i]);
+  };
+  for (const double error : {0.003, 0.03}) {
+    // product of two normal distributions, where light is linear in the unknowns
+    glm::dmat3 data(0), of_prior(0);
+    for (int a = 0; a < 3; ++a) of_prior[a][a] = a < 2 ? 1 / (0.7 * 0.7) : 1 / (0.15 * 0.15);
+    for (std::size_t i = 0; i < 3 * bins; ++i) {
+      glm::dvec3 slope(0);
+      for (int a = 0; a < 3; ++a) {
+        glm::dvec3 step(0);
+        step[a] = 0.02;
+        slope[a] = (logarithm(place + step, i) - logarithm(place - step, i)) / 0.04;
+      }
+      data += glm::outerProduct(slope, slope) / (error * error);
+    }
+    const auto covariance = glm::inverse(data + of_prior);
+    const auto mean = covariance * (data * place + of_prior * prior);
+    const auto fit = fitted_to(light, light.at(truth), error);
+    for (int a = 0; a < 3; ++a) {
+      const auto& [median, low, high, information] =
+          fit.posterior.estimates[static_cast<std::size_t>(a)];
+      const double deviation = std::sqrt(covariance[a][a]);
+      EXPECT_WITHIN(median, mean[a], 0.25 * deviation, "light is not linear over the interval")
+          << error << ' ' << a;
+      EXPECT_WITHIN_RELATIVE((high - low) / 2, deviation, 0.15,
+                             "light is not linear over the interval")
+          << error << ' ' << a;
+    }
+  }
 }
 
 }  // namespace

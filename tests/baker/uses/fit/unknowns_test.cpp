@@ -32,5 +32,16 @@ TEST(Unknowns, HaveThePlaceAndTheNameOfAParameterOfTheAir) {
   }
 }
 
+TEST(Unknowns, OfAMonthAreNearTheMonths) {
+  const auto& [aerosol, cloud, ozone] = unknowns_of(Unknowns::factors);
+  for (const auto* unknown : {&aerosol, &cloud}) {
+    EXPECT_EQ(unknown->chi_squared_of_prior(0), 0);
+    EXPECT_WITHIN(unknown->chi_squared_of_prior(-1.4), 4, 1e-12, "twice 0.7, squared");
+  }
+  EXPECT_WITHIN(ozone.chi_squared_of_prior(1.15), 1, 1e-12, "0.15, squared");
+  for (const auto& unknown : unknowns_of(Unknowns::amounts))
+    EXPECT_EQ(unknown.chi_squared_of_prior(unknown.on_axis(unknown.most)), 0) << "uniform";
+}
+
 }  // namespace
 }  // namespace coppermoon::uses

@@ -1,81 +1,55 @@
 // SPDX-License-Identifier: MIT
-// Photographs whose maker's notes Exiv2 writes here.
 #include "uses/picture/as_shot_balance.h"
 
-#include <exiv2/exiv2.hpp>
-
 #include "baker/texture/scratch_folder.h"
-#include "support/testing.h"
-#include "uses/picture/camera_colours.h"
+#include "support/maker_notes.h"
+#include "texture/write_image.h"
 
 namespace coppermoon::uses {
 namespace {
 
+using Gains = std::array<double, 3>;
+
 class AsShotBalance : public ScratchFolder {
  protected:
-  /// A grey photograph with a header.
-  std::string photograph(const Exiv2::ExifData& header) const {
-    auto photo =
-        Exiv2::ImageFactory::create(Exiv2::ImageType::jpeg, in_folder("photo.jpg").string());
-    photo->setExifData(header);
-    photo->writeMetadata();
-    return in_folder("photo.jpg").string();
+  std::string photo() const {
+    const auto file = in_folder("a.png");
+    texture::write_png(file, texture::Image(4, 4, {"R", "G", "B"}), 8);
+    return file.string();
   }
-
-  /// A photograph of a Canon EOS 550D, whose colour data have 1338 numbers: red, green, green and blue from the 64th on.
-  std::string by_canon(std::uint16_t red, std::uint16_t green, std::uint16_t blue,
-                       std::size_t count = 1338) const {
-    Exiv2::UShortValue value;
-    value.value_.assign(count, 7);
-    value.value_[63] = red;
-    value.value_[64] = value.value_[65] = green;
-    value.value_[66] = blue;
-    Exiv2::ExifData header;
-    header["Exif.Image.Make"] = "Canon";
-    header["Exif.Image.Model"] = "Canon EOS 550D";
-    header.add(Exiv2::ExifKey("Exif.Canon.ColorData"), &value);
-    return photograph(header);
-  }
-
-  std::string by_nikon(const char* red_and_blue) const {
-    Exiv2::ExifData header;
-    header["Exif.Image.Make"] = "NIKON CORPORATION";
-    header["Exif.Image.Model"] = "NIKON D3300";
-    Exiv2::URationalValue value;
-    value.read(red_and_blue);
-    header.add(Exiv2::ExifKey("Exif.Nikon3.WB_RBLevels"), &value);
-    return photograph(header);
+  std::optional<Gains> of(const std::string& make, const Gains& gains) const {
+    const auto file = photo();
+    support::write_balance(file, make, gains);
+    return as_shot_balance(file);
   }
 };
 
-TEST_F(AsShotBalance, IsReadFromCanonsNotes) {
-  const auto found = as_shot_balance(by_canon(1536, 1024, 2304));
-  ASSERT_TRUE(found);
-  EXPECT_EQ(*found, (std::array{1.5, 1., 2.25}));
+TEST_F(AsShotBalance, IsReadAsCanonAndNikonWriteIt) {
+  // frames of an EOS 550D in the partial phase and in totality, over 1024
+  for (const auto& [red, blue] : {std::pair{2166., 1686.}, {1542., 2260.}}) {
+    const auto found = of("Canon", {red / 1024, 1, blue / 1024}).value();
+    EXPECT_WITHIN_RELATIVE(found[0], red / 1024, 1e-6, "whole numbers, in floats");
+    EXPECT_EQ(found[1], 1);
+    EXPECT_WITHIN_RELATIVE(found[2], blue / 1024, 1e-6, "whole numbers, in floats");
+  }
+  const auto found = of("NIKON CORPORATION", {2.0625, 1, 1.375}).value();
+  EXPECT_EQ(found, (Gains{2.0625, 1, 1.375})) << "these are in 256ths";
 }
 
-TEST_F(AsShotBalance, IsReadFromNikonsNotes) {
-  const auto found = as_shot_balance(by_nikon("468/256 406/256 256/256 256/256"));
-  ASSERT_TRUE(found);
-  EXPECT_EQ(*found, (std::array{1.828125, 1., 1.5859375}));
+TEST_F(AsShotBalance, IsRelativeToGreen) { EXPECT_EQ(of("Canon", {4, 2, 3}), (Gains{2, 1, 1.5})); }
+
+TEST_F(AsShotBalance, IsNothingWithoutSoundNotes) {
+  EXPECT_EQ(as_shot_balance(photo()), std::nullopt) << "no notes";
+  for (const auto* make : {"Canon", "NIKON CORPORATION"}) {
+    EXPECT_EQ(of(make, {20, 1, 1.5}), std::nullopt) << make;
+    EXPECT_EQ(of(make, {2, 1, 0.05}), std::nullopt) << make;
+  }
+  EXPECT_EQ(of("Canon", {0, 0, 0}), std::nullopt) << "0/0";
 }
 
-TEST_F(AsShotBalance, IsMissingWhereNotesDoNotTellIt) {
-  EXPECT_FALSE(as_shot_balance(by_canon(1536, 1024, 2304, 1000))) << "a length of no camera";
-  EXPECT_FALSE(as_shot_balance(by_canon(0, 1024, 2304))) << "outside 0.1 to 10";
-  EXPECT_FALSE(as_shot_balance(photograph({})));
-  EXPECT_FALSE(as_shot_balance(in_folder("nothing.jpg").string()));
-}
-
-TEST_F(AsShotBalance, MultipliesACamerasOwnChannels) {
-  const auto daylight = camera_colours("canon-eos-600d", {});
-  EXPECT_EQ(daylight.gains, glm::dvec3(1));
-  const auto warm = camera_colours("canon-eos-600d", std::array{1.5, 1., 2.25}),
-             cold = camera_colours("canon-eos-600d", std::array{3., 1., 1.125});
-  EXPECT_NEAR(cold.gains.r / warm.gains.r, 2, 1e-12) << "a ratio of doubles";
-  EXPECT_NEAR(cold.gains.b / warm.gains.b, 0.5, 1e-12) << "a ratio of doubles";
-  EXPECT_EQ(camera_colours("colorimetric", std::array{1.5, 1., 2.25}).gains, glm::dvec3(1))
-      << "whose channels are not known";
+TEST_F(AsShotBalance, IsNothingForAFileThatIsNoPhotograph) {
+  EXPECT_EQ(as_shot_balance(file("a.txt", "a text").string()), std::nullopt);
+  EXPECT_EQ(as_shot_balance(in_folder("absent.jpg").string()), std::nullopt);
 }
 
 }  // namespace

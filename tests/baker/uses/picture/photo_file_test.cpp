@@ -109,6 +109,13 @@ TEST_F(Settings, AreApexValuesWhereThereAreNoOthers) {
   }
 }
 
+TEST_F(Settings, HaveNoFNumberWithoutALens) {
+  const auto found =
+      of({{"Make", "Canon"}, {"Exif:ExposureTime", 0.5F}, {"Exif:ApertureValue", 2147483648.F}});
+  EXPECT_EQ(found.f_number, std::nullopt) << "a camera at a telescope writes 2³¹";
+  EXPECT_EQ(found.time_s, 0.5);
+}
+
 /// Photographs in FITS files, of two pixels.
 class Fits : public ScratchFolder {
  protected:
