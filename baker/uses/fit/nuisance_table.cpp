@@ -19,11 +19,11 @@ double logarithmic_mean(double a, double b) {
   return std::abs(ratio) < 1e-4 ? std::sqrt(a * b) : b * ratio / std::log1p(ratio);
 }
 
-/// What a channel's light grows by, relative to its mean of what is expected and seen.
+/// Derivatives of a channel's light, relative to the mean of its expected and its measured light.
 struct Growth {
   std::array<double, 3>
-      by_channel{};       ///< for each channel of linear Rec.709 that the camera adds to it
-  glm::dvec3 by_gain{0};  ///< for the logarithm of each gain of the camera
+      by_channel{};  ///< with respect to the share that the camera adds of each Rec.709 channel
+  glm::dvec3 by_gain{0};  ///< with respect to the logarithm of each of the camera's gains
 };
 
 std::array<double, 3> mixed(const std::array<double, 3>& light, const Mixing& mixing) {
@@ -44,7 +44,7 @@ double logarithmic_slope(const Binned& photograph, std::size_t b, std::size_t k)
          (scene.distances_km[to] - scene.distances_km[from]);
 }
 
-/// How a measurement's light grows at the expected brightness.
+/// Derivatives of a measurement's light at the expected brightness.
 Growth growth_of(const Binned& photograph, const NightErrors& night, const NightRows& rows,
                  const Measurement& measurement) {
   const auto& [p, b, k, logarithm, error, of_computation] = measurement;
@@ -107,7 +107,7 @@ algebra::Grid<double> dimming_by_cloud(std::span<const Binned> photographs,
   return all;
 }
 
-/// Shares of the limb in each photograph's bins, or nothing if no photograph is in question of weather.
+/// Shares of the limb in each photograph's bins. Empty if weather is not an error of any photograph.
 using Limbs = std::vector<algebra::Grid<double>>;
 Limbs limbs_of(std::span<const Binned> photographs) {
   Limbs limbs;

@@ -68,8 +68,8 @@ PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& 
 
 }  // namespace
 
-/// Light above which renders for a display, and most developed pictures, compress highlights; and where linear light is
-/// clipped.
+/// Level above which renders for a display and most developed pictures compress highlights, and level at which linear
+/// light is clipped.
 constexpr float shoulder = 0.75F, linear = 0.97F;
 
 bool is_edited(const EclipsePhotograph& photograph) {

@@ -6,7 +6,6 @@
 #include <sstream>
 #include <vector>
 
-#include "algebra/number.h"
 #include "uses/picture/photo_header.h"
 
 namespace coppermoon::uses {
@@ -28,12 +27,7 @@ Gains over_green(double red, double green, double blue) { return {red / green, 1
 std::vector<double> numbers_in(const std::string& text) {
   std::vector<double> all;
   std::istringstream words(text);
-  for (std::string word; words >> word;) {
-    const auto bar = word.find('/');
-    const auto over = algebra::number_in(word.substr(0, bar)),
-               under = bar == word.npos ? 1 : algebra::number_in(word.substr(bar + 1));
-    all.push_back(over.value_or(0) / under.value_or(0));
-  }
+  for (std::string word; words >> word;) all.push_back(first_number(word).value_or(0));
   return all;
 }
 

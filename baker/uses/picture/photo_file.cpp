@@ -50,15 +50,6 @@ std::optional<std::string> text_in_header(const std::string& photo, Names names)
   return std::nullopt;
 }
 
-/// The first number in a string such as "5.6", "1/30" or "800, 0".
-std::optional<double> first_number(const std::string& text) {
-  const auto first = text.substr(0, text.find_first_of(", "));
-  const auto bar = first.find('/');
-  const auto over = algebra::number_in(first.substr(0, bar)),
-             under = bar == first.npos ? 1 : algebra::number_in(first.substr(bar + 1));
-  return over && under ? std::optional(*over / *under) : std::nullopt;
-}
-
 /// The number, or first number of a list, in a photograph's header under the first of the given names that has one.
 std::optional<double> number_in_header(const std::string& photo, Names names) {
   for (const auto& text : all_in_header(photo, names))

@@ -5,6 +5,8 @@
 #include <exiv2/exiv2.hpp>
 #include <mutex>
 
+#include "algebra/number.h"
+
 namespace coppermoon::uses {
 
 PhotoHeader photo_header(const std::string& photo) try {
@@ -30,6 +32,14 @@ PhotoHeader photo_header(const std::string& photo) try {
   return header;
 } catch (const std::exception&) {  // a file without a header that can be read
   return {};
+}
+
+std::optional<double> first_number(const std::string& text) {
+  const auto first = text.substr(0, text.find_first_of(", "));
+  const auto bar = first.find('/');
+  const auto over = algebra::number_in(first.substr(0, bar)),
+             under = bar == first.npos ? 1 : algebra::number_in(first.substr(bar + 1));
+  return over && under ? std::optional(*over / *under) : std::nullopt;
 }
 
 }  // namespace coppermoon::uses

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace coppermoon::uses {
@@ -14,5 +15,8 @@ namespace coppermoon::uses {
 /// Returned  empty for a file that has neither, or is of a kind that has none (OpenEXR, FITS)
 using PhotoHeader = std::map<std::string, std::string, std::less<>>;
 PhotoHeader photo_header(const std::string& photo);
+
+/// The first number in a header's string, such as "5.6", "1/30" or "800, 0"; nothing if it does not begin with one.
+std::optional<double> first_number(const std::string& text);
 
 }  // namespace coppermoon::uses
