@@ -46,9 +46,9 @@ namespace coppermoon::end_to_end {
 /// Air of the month, changed by factors, and weather along the limb.
 struct MonthTruth {
   double stratospheric_factor = 1, cloud_chance = 1, ozone_factor = 1;
-  /// Standard deviation of the logarithm of cloud's chance from each 30° of position angle to the next. The logarithm
-  /// of the umbra's red light falls by 0.3 of that of the chance: 0.33 makes 10 %.
-  double weather = 0.33;
+  /// Standard deviations of the logarithms of cloud's chance and of aerosol from each 30° of position angle to the next.
+  /// The logarithm of the umbra's red light falls by 0.3 of that of the chance: 0.66 makes 20 %, as photographs showed.
+  double weather = 0.66, aerosol = 0.3;
 };
 
 /// A stranger's camera.
@@ -151,13 +151,14 @@ class MadeNight {
     return request;
   }
 
-  /// Mean over the limb of the chance of cloud.
-  double cloud_chance() const {
+  /// Geometric mean over the limb of a factor on the month's air, which one factor for all of the limb stands for:
+  /// weather adds to the logarithm of light.
+  double mean_of(std::optional<double> uses::ColumnChange::*factor) const {
     const auto& air = moon_.light.air;
     double sum = 0;
-    for (const auto& region : air.regions) sum += *region.column.cloud_chance;
-    return air.regions.empty() ? air.column.cloud_chance.value_or(1)
-                               : sum / static_cast<double>(air.regions.size());
+    for (const auto& region : air.regions) sum += std::log(*(region.column.*factor));
+    return air.regions.empty() ? (air.column.*factor).value_or(1)
+                               : std::exp(sum / static_cast<double>(air.regions.size()));
   }
 
  private:
@@ -215,9 +216,9 @@ class MadeNight {
       auto& region = air.regions.emplace_back();
       region.from_position_angle = from;
       region.to_position_angle = from + region_deg;
-      const double half_variance = month.weather * month.weather / 2;
-      region.column.cloud_chance =
-          month.cloud_chance * std::exp(month.weather * normal() - half_variance);
+      region.column.cloud_chance = month.cloud_chance * std::exp(month.weather * normal());
+      region.column.stratospheric_factor =
+          month.stratospheric_factor * std::exp(month.aerosol * normal());
     }
   }
 

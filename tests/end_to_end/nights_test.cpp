@@ -32,12 +32,13 @@ struct Tally {
   }
 };
 
-/// Clocks within half a minute, and air near the truth, in 95 of 100 nights; the truth in 68 of 100 intervals.
-void expect_as_promised(const auto& tally) {
+/// Clocks within half a minute in 95 of 100 nights; air near the truth in as many as are asked; the truth in 68 of 100
+/// intervals.
+void expect_as_promised(const auto& tally, support::Counts near) {
   // of 25 nights the first are in 97 of 100 such tests, the second in 98
   const auto nearly_all = support::asked({22, 25}, nights, tally.nights, 0.95),
              fair = support::asked({12, 22}, nights, tally.nights, 0.68);
-  EXPECT_GE(tally.found, nearly_all.least) << tally.refused << " refused";
+  EXPECT_GE(tally.found, near.least) << tally.refused << " refused";
   EXPECT_GE(tally.clocks, nearly_all.least);
   for (const int inside : tally.inside) {
     EXPECT_GE(inside, fair.least);
@@ -82,7 +83,7 @@ TEST_F(Nights, AreFoundWithTheirCurvesAndClocks) {
   }
   RecordProperty("found", tally.found);
   RecordProperty("clocks", tally.clocks);
-  expect_as_promised(tally);
+  expect_as_promised(tally, support::asked({22, 25}, nights, tally.nights, 0.95));
 }
 
 /// How strangers' nights were explained.
@@ -101,13 +102,12 @@ bool is_true(const std::string& reason) {
 }
 
 /// Adds a night's answer, and prints a line.
-void count(const StrangersNight& night, double cloud_chance, const nlohmann::json& found,
+void count(const StrangersNight& night, const MadeNight& made, const nlohmann::json& found,
            StrangersTally& tally) {
-  const auto& month = *night.truth.month;
   const std::array<std::pair<const char*, double>, 3> truths{
-      {{"stratospheric_factor", month.stratospheric_factor},
-       {"cloud_chance", cloud_chance},
-       {"ozone_factor", month.ozone_factor}}};
+      {{"stratospheric_factor", made.mean_of(&uses::ColumnChange::stratospheric_factor)},
+       {"cloud_chance", made.mean_of(&uses::ColumnChange::cloud_chance)},
+       {"ozone_factor", night.truth.month->ozone_factor}}};
   bool near = true;
   for (std::size_t a = 0; a < truths.size(); ++a) {
     const auto& [name, truth] = truths[a];
@@ -156,7 +156,7 @@ TEST_F(Nights, OfStrangersAreFoundWithTheirAirAndClocks) {
     const auto answer = answer_of(*this, night, made);
     fmt::print("{}: {} as {}, ", i, night.truth.camera, night.truth.stranger->name);
     if (answer.status == 0) {
-      count(night, made.cloud_chance(), nlohmann::json::parse(answer.out), tally);
+      count(night, made, nlohmann::json::parse(answer.out), tally);
     } else {
       ++tally.refused;
       fmt::print("refused: {}", answer.err);
@@ -167,7 +167,10 @@ TEST_F(Nights, OfStrangersAreFoundWithTheirAirAndClocks) {
   RecordProperty("found", tally.found);
   EXPECT_EQ(tally.refused, 0);
   EXPECT_EQ(tally.left_out_wrongly, 0);
-  expect_as_promised(tally);
+  // Weather of 66 % of cloud's chance in each part of the limb, of which six light the photographs, leaves 27 % in its
+  // mean: 73 of 100 nights are within 30 % of it, and few of these are lost to aerosol, which varies by 30 %.
+  // Fewer than 13 of 25 are so in one test of 60.
+  expect_as_promised(tally, support::asked({13, 25}, nights, tally.nights, 0.7));
 }
 
 }  // namespace

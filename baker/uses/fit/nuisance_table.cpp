@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "uses/fit/limb_weather.h"
+#include "uses/fit/nuisances_of_air.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -44,6 +44,18 @@ double logarithmic_slope(const Binned& photograph, std::size_t b, std::size_t k)
          (scene.distances_km[to] - scene.distances_km[from]);
 }
 
+/// Logarithm of the ratio of red to blue light in a photograph, 0 or more.
+double redness(const Binned& photograph) {
+  const auto& values = photograph.light.values;
+  double red = 0, blue = 0;
+  for (std::size_t b = 0; b < photograph.scene->bins; ++b)
+    if (values(b, 0) > 0 && values(b, 2) > 0) {
+      red += values(b, 0);
+      blue += values(b, 2);
+    }
+  return blue > 0 ? std::max(0., std::log(red / blue)) : 0;
+}
+
 /// Derivatives of a measurement's light at the expected brightness.
 Growth growth_of(const Binned& photograph, const NightErrors& night, const NightRows& rows,
                  const Measurement& measurement) {
@@ -65,97 +77,6 @@ Growth growth_of(const Binned& photograph, const NightErrors& night, const Night
   Growth growth{light, colours ? parts_of(k, *colours, xyz) / mean : glm::dvec3(0)};
   for (double& value : growth.by_channel) value /= mean;
   return growth;
-}
-
-/// ln(light in the expected air / light in another air) by bin and channel: (photograph × bins + bin, channel).
-algebra::Grid<double> dimming(std::span<const Binned> photographs, const NightErrors& night,
-                              const NightRows& rows, const algebra::Grid<double>& other) {
-  const double least = is_mixed(photographs) ? least_of_brightest : 0;
-  algebra::Grid<double> all(photographs.size() * rows.bins, 3);
-  for (std::size_t p = 0; p < photographs.size(); ++p)
-    for (std::size_t b = 0; b < rows.bins; ++b) {
-      const auto row = rows.own(p, b);
-      const auto& colours = photographs[p].colours;
-      const auto before = as_written(night.expected.row(row), colours, night.mixing, least),
-                 after = as_written(other.row(row), colours, night.mixing, least);
-      for (std::size_t k = 0; k < 3; ++k)
-        all(p * rows.bins + b, k) = std::log(before[k] / after[k]);
-    }
-  return all;
-}
-
-/// How much less cloud brightens each bin and channel, relative to red light in the umbra on average: a grid
-/// (photograph × bins + bin, channel). It is multiplied by weather_over_usual if cloud is given by chance. The grid is
-/// empty if the effect of cloud is not known.
-algebra::Grid<double> dimming_by_cloud(std::span<const Binned> photographs,
-                                       const NightErrors& night, const NightRows& rows) {
-  constexpr double least_distance_km = 1000, most_distance_km = 4000;
-  if (night.clouded.empty()) return {};
-  auto all = dimming(photographs, night, rows, night.clouded);
-  double red = 0, count = 0;
-  for (std::size_t p = 0; p < photographs.size(); ++p)
-    for (std::size_t b = 0; b < rows.bins; ++b) {
-      const double distance_km = photographs[p].scene->distances_km[b];
-      if (distance_km < least_distance_km || distance_km > most_distance_km) continue;
-      red += all(p * rows.bins + b, 0);
-      ++count;
-    }
-  if (count == 0 || red <= 0) return {};
-  const double mean = red / count,
-               weather = night.clouded_by > 0 ? weather_over_usual(mean / night.clouded_by) : 1;
-  for (double& value : all.values()) value *= weather / mean;
-  return all;
-}
-
-/// Shares of the limb in each photograph's bins. Empty if weather is not an error of any photograph.
-using Limbs = std::vector<algebra::Grid<double>>;
-Limbs limbs_of(std::span<const Binned> photographs) {
-  Limbs limbs;
-  if (std::ranges::any_of(photographs,
-                          [](const Binned& one) { return one.errors.weather_error > 0; }))
-    for (const auto& one : photographs) limbs.push_back(limb_of_bins(*one.scene));
-  return limbs;
-}
-
-/// The nuisance "aerosol", with a parameter for each part of the limb: the month's aerosol differs from place to place.
-Nuisance aerosol_of(std::span<const Binned> photographs, const NightErrors& night,
-                    const NightRows& rows, const Limbs& limbs) {
-  constexpr double over_weather = 1.5;
-  if (limbs.empty() || night.dusty.empty()) return {"aerosol", SharedBy::night, 0, {}, {}};
-  const auto by_aerosol = dimming(photographs, night, rows, night.dusty);
-  return {"aerosol", SharedBy::night, weather_sectors,
-          [=](const Measurement& m) {
-            return over_weather * photographs[m.photograph].errors.weather_error;
-          },
-          [=, by = night.dusty_by](const Measurement& m, std::size_t sector) {
-            return limbs[m.photograph](m.bin, sector) *
-                   by_aerosol(m.photograph * rows.bins + m.bin, m.channel) / by;
-          }};
-}
-
-/// The nuisance "weather", with a parameter for each part of the limb, change in time, and kind of weather.
-Nuisance weather_of(std::span<const Binned> photographs, const NightErrors& night,
-                    const NightRows& rows, const Limbs& limbs) {
-  if (limbs.empty()) return {"weather", SharedBy::night, 0, {}, {}};
-  std::vector<double> seconds;
-  for (const auto& one : photographs)
-    seconds.push_back(
-        almanac::seconds_between(photographs.front().scene->sky.when, one.scene->sky.when));
-  const auto changes = weather_changes(seconds);
-  const auto by_cloud = dimming_by_cloud(photographs, night, rows);
-  const std::size_t kinds = by_cloud.empty() ? weather_kinds : weather_kinds_beside_cloud;
-  return {"weather", SharedBy::night, changes.columns() * kinds * weather_sectors,
-          [=](const Measurement& m) { return photographs[m.photograph].errors.weather_error; },
-          [=](const Measurement& m, std::size_t parameter) {
-            const auto kind = parameter / weather_sectors % kinds;
-            const double of_kind =
-                by_cloud.empty() || kind == weather_of_blue
-                    ? light_by_weather(kind, m.channel,
-                                       photographs[m.photograph].scene->distances_km[m.bin])
-                    : by_cloud(m.photograph * rows.bins + m.bin, m.channel);
-            return limbs[m.photograph](m.bin, parameter % weather_sectors) * of_kind *
-                   changes(m.photograph, parameter / weather_sectors / kinds);
-          }};
 }
 
 }  // namespace
@@ -206,6 +127,9 @@ std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const Ni
     if (of(m).colours) return growth(m).by_gain[gain];
     return m.channel == 2 * n ? 1. : 0.;
   };
+  const auto of_brightest = [=](const Measurement& m, std::size_t n) {
+    return n == m.channel ? std::ranges::max(of(m).light.values.row(m.bin)) * over_light(m) : 0;
+  };
   const bool curved =
       std::ranges::any_of(photographs, [](const Binned& one) { return !one.light.slopes.empty(); });
   const std::size_t cameras =
@@ -218,6 +142,12 @@ std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const Ni
       {"white balance", night, 2,
        [=](const Measurement& m) { return shared(m) ? errors(m).white_balance_error : 0; },
        red_or_blue},
+      // the redder a photograph, the more blue an automatic balance adds
+      {"automatic balance", night, 1,
+       [=](const Measurement& m) { return shared(m) ? 0 : errors(m).white_balance_error; },
+       [=](const Measurement& m, std::size_t) {
+         return (red_or_blue(m, 1) - red_or_blue(m, 0)) / 2 * redness(of(m));
+       }},
       {"tone curve", night, curved ? colour::tone_numbers : 0,
        [=](const Measurement& m) { return of(m).light.slopes.empty() ? 0. : 1.; },
        [=](const Measurement& m, std::size_t n) {
@@ -236,6 +166,8 @@ std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const Ni
        [=](const Measurement& m, std::size_t n) {
          return n / 2 == m.channel ? growth(m).by_channel[(n % 2) + (n % 2 >= m.channel)] : 0;
        }},
+      {"dark channels", night, any_mixed ? 3UL : 0,
+       [=](const Measurement& m) { return errors(m).dark_error; }, of_brightest},
       // with this prior, the error has the covariance of the cameras around the assumed one
       {"filters", night, cameras,
        [=](const Measurement&) { return 1 / std::sqrt(static_cast<double>(cameras)); },
@@ -254,12 +186,8 @@ std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const Ni
          return shared(m) ? errors(m).white_balance_drift : errors(m).white_balance_error;
        },
        red_or_blue},
-      {"dark channels", each, any_mixed ? 3UL : 0,
-       [=](const Measurement& m) { return errors(m).dark_error; },
-       [=](const Measurement& m, std::size_t n) {
-         return n == m.channel ? std::ranges::max(of(m).light.values.row(m.bin)) * over_light(m)
-                               : 0;
-       }},
+      {"own dark channels", each, any_mixed ? 3UL : 0,
+       [=](const Measurement& m) { return errors(m).dark_error / 2; }, of_brightest},
       {"sky", each, 3,
        [=](const Measurement& m) { return of(m).light.sky_errors(m.bin, m.channel); },
        [=](const Measurement& m, std::size_t n) { return n == m.channel ? over_light(m) : 0; }},

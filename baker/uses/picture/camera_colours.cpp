@@ -53,15 +53,19 @@ std::array<double, 3> rec709_by(const std::optional<CameraColours>& colours,
   if (!colours) return rec709_of(xyz);
   const auto rgb = colours->rec709_from_channels *
                    (colours->gains * (colours->channels_from_xyz * vector_of(xyz)));
-  const double floor = std::max(dark, least * std::max({rgb.r, rgb.g, rgb.b}));
-  return {std::max(rgb.r, floor), std::max(rgb.g, floor), std::max(rgb.b, floor)};
+  const double brightest = std::max({rgb.r, rgb.g, rgb.b}),
+               floor = std::max(dark, least * brightest), added = colours->lift * brightest;
+  return {std::max(rgb.r, floor) + added, std::max(rgb.g, floor) + added,
+          std::max(rgb.b, floor) + added};
 }
 
 glm::dvec3 parts_of(std::size_t channel, const CameraColours& colours,
                     std::span<const double> xyz) {
   const auto channels = colours.gains * (colours.channels_from_xyz * vector_of(xyz));
-  const auto row = glm::row(colours.rec709_from_channels, static_cast<int>(channel));
-  return row * channels;
+  const auto row = [&](int k) { return glm::row(colours.rec709_from_channels, k); };
+  const auto rgb = colours.rec709_from_channels * channels;
+  const int brightest = rgb.r >= rgb.g && rgb.r >= rgb.b ? 0 : rgb.g >= rgb.b ? 1 : 2;
+  return (row(static_cast<int>(channel)) + colours.lift * row(brightest)) * channels;
 }
 
 }  // namespace coppermoon::uses

@@ -17,6 +17,9 @@ struct CameraColours {
   glm::dmat3 channels_from_xyz{1};     ///< channels in which daylight (D65) is white
   glm::dmat3 rec709_from_channels{1};  ///< with daylight's white balance
   glm::dvec3 gains{1};                 ///< as shot, relative to daylight's
+  /// Share of the brightest channel that is added to each, on average. Colours outside the gamut are cut off at 0, and
+  /// noise and stray light are positive, so dark channels are brighter than the mixture.
+  double lift = 0.01;
 };
 
 /// Colours of a camera with a response.
@@ -35,14 +38,15 @@ std::array<double, 3> rec709_of(std::span<const double> xyz);
 /// X, Y, Z of light in linear Rec.709.
 std::array<double, 3> xyz_of_rec709(std::span<const double> rgb);
 
-/// Moonlight as a camera writes it: linear Rec.709, each channel at least `least` times the brightest, and 1e-12.
+/// Moonlight as a camera writes it: linear Rec.709, each channel at least `least` times the brightest, and 1e-12, before
+/// the lift is added.
 ///
 /// Given  colours  if absent, light is brought into the gamut as in renders
 ///        xyz      of moonlight, in any unit
 std::array<double, 3> rec709_by(const std::optional<CameraColours>& colours,
                                 std::span<const double> xyz, double least);
 
-/// Parts of a Rec.709 channel's light that come from the camera's red, green and blue channels.
+/// Parts of a Rec.709 channel's light, with its lift, that come from the camera's red, green and blue channels.
 ///
 /// Given  xyz  of moonlight, in any unit
 glm::dvec3 parts_of(std::size_t channel, const CameraColours& colours, std::span<const double> xyz);

@@ -122,6 +122,27 @@ TEST(NuisanceTable, MovesTheWhiteBalanceInTheChannelsOfTheCamera) {
   EXPECT_LT(row.derivative({0, 0, 1, 0, 0, 0}, 0), -0.05) << "red takes from green";
 }
 
+TEST(NuisanceTable, BalancesRedPhotographsTowardsBlueTogether) {
+  RedNight red(camera_colours("canon-eos-600d", {}));
+  red.photographs[0].errors.white_balance_error = 0.3;
+  const auto table = nuisances_of(red.photographs, red.night);
+  const auto &all = row_of(table, "automatic balance"), &own = row_of(table, "own white balance");
+  EXPECT_EQ(all.shared_by, SharedBy::night);
+  const auto& values = red.photographs[0].light.values;
+  const double redness = std::log((values(0, 0) + values(1, 0)) / (values(0, 2) + values(1, 2)));
+  for (const auto& measurement : measurements_of(1)) {
+    EXPECT_EQ(all.prior(measurement), 0.3);
+    EXPECT_WITHIN(all.derivative(measurement, 0),
+                  (own.derivative(measurement, 1) - own.derivative(measurement, 0)) / 2 * redness,
+                  1e-12, "rounding");
+  }
+  red.photographs[0].errors.white_balance_shared = true;
+  EXPECT_EQ(row_of(nuisances_of(red.photographs, red.night), "automatic balance")
+                .prior(measurements_of(1).front()),
+            0)
+      << "a balance that was fixed, or is known as shot";
+}
+
 TEST(NuisanceTable, LiftsDarkChannelsByAShareOfTheBrightest) {
   const RedNight red(camera_colours("canon-eos-600d", {}));
   const auto table = nuisances_of(red.photographs, red.night);

@@ -20,6 +20,11 @@ std::array<double, 3> of_daylight() {
   return {daylight.g / daylight.r, 1, daylight.g / daylight.b};
 }
 
+CameraColours exact(CameraColours colours) {
+  colours.lift = 0;
+  return colours;
+}
+
 TEST(CameraColours, OfDaylightAreNeutral) {
   const auto colours = camera_colours(response, of_daylight());
   for (int k = 0; k < 3; ++k)
@@ -27,14 +32,14 @@ TEST(CameraColours, OfDaylightAreNeutral) {
   const auto same = camera_colours(response, {});
   EXPECT_EQ(same.gains, glm::dvec3(1));
   for (const auto& seen : {colours, same})
-    for (const double value : rec709_by(seen, white, 0))
+    for (const double value : rec709_by(exact(seen), white, 0))
       EXPECT_WITHIN(value, 1, 1e-3, "white of XYZ and of the matrix have four digits");
 }
 
 TEST(CameraColours, OfNoSpectralResponseAreThoseOfRec709) {
   for (const auto& other :
        {std::optional<std::string>{}, std::optional<std::string>{"colorimetric"}}) {
-    const auto rgb = rec709_by(camera_colours(other, of_daylight()), deep_red, 0);
+    const auto rgb = rec709_by(exact(camera_colours(other, of_daylight())), deep_red, 0);
     EXPECT_WITHIN(rgb[0], 1, 1e-9, "inverse matrices in doubles");
     EXPECT_WITHIN(rgb[1], 0.1, 1e-9, "inverse matrices in doubles");
     EXPECT_WITHIN(rgb[2], 0.02, 1e-9, "inverse matrices in doubles");
@@ -44,7 +49,8 @@ TEST(CameraColours, OfNoSpectralResponseAreThoseOfRec709) {
 TEST(CameraColours, MultiplyTheSensorsChannelsBeforeTheyAreMixed) {
   auto gains = of_daylight();
   gains[0] *= 2;
-  const auto colours = camera_colours(response, gains), neutral = camera_colours(response, {});
+  const auto colours = exact(camera_colours(response, gains)),
+             neutral = exact(camera_colours(response, {}));
   const auto spectra = colour::camera_spectra(response);
   const glm::dvec3 xyz(deep_red[0], deep_red[1], deep_red[2]);
   auto channels = glm::inverse(spectra.xyz_from_balanced) * xyz;
@@ -62,7 +68,7 @@ TEST(CameraColours, MultiplyTheSensorsChannelsBeforeTheyAreMixed) {
 }
 
 TEST(CameraColours, OfPartsAddUpToTheWhole) {
-  const auto colours = camera_colours(response, std::array{1.5, 1., 2.2});
+  const auto colours = exact(camera_colours(response, std::array{1.5, 1., 2.2}));
   for (const auto& xyz : {deep_red, white}) {
     std::array<double, 3> sums{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -76,11 +82,20 @@ TEST(CameraColours, OfPartsAddUpToTheWhole) {
 }
 
 TEST(CameraColours, HaveAFloorBelowTheBrightestChannel) {
-  const auto colours = camera_colours({}, {});
+  const auto colours = exact(camera_colours({}, {}));
   const auto rgb = rec709_by(colours, xyz_of_rec709(std::array{1., -0.2, 1e-5}), 0.003);
   EXPECT_WITHIN(rgb[0], 1, 1e-9, "inverse matrices in doubles");
   EXPECT_WITHIN(rgb[1], 0.003, 1e-11, "0.003 of the brightest");
   EXPECT_WITHIN(rgb[2], 0.003, 1e-11, "0.003 of the brightest");
+}
+
+TEST(CameraColours, AddAShareOfTheBrightestChannelToAll) {
+  auto colours = camera_colours({}, {});
+  colours.lift = 0.02;
+  const auto rgb = rec709_by(colours, xyz_of_rec709(std::array{2., 0.5, -0.2}), 0.003);
+  EXPECT_WITHIN(rgb[0], 2.04, 1e-9, "inverse matrices in doubles");
+  EXPECT_WITHIN(rgb[1], 0.54, 1e-9, "inverse matrices in doubles");
+  EXPECT_WITHIN(rgb[2], 0.006 + 0.04, 1e-9, "added to the floor");
 }
 
 }  // namespace
