@@ -34,6 +34,11 @@ std::string first_line(std::string text) {
 
 }  // namespace
 
+Error not_done(const Program& program, double timeout_s) {
+  return Error(
+      fmt::format("{}: not done after {:g} s, the time allowed", program.words[0], timeout_s));
+}
+
 void run_program(const Program& program, const Handle* result) {
   std::string said;
   if (!run_heard(program, {.result = result, .hear = kept_in(said)}))

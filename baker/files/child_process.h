@@ -60,6 +60,16 @@ void require_whole(const Handle& file, const std::string& by);
 std::string output_of(const Program& program);
 
 /// Path by which a program can open its own standard output as a file in which it can seek.
-extern const char* const own_output;
+///
+/// Given  result  the file that run_program takes for its output
+std::string own_output(const Handle& result);
+
+/// Where the installer of a program for Windows puts it.
+struct Installation {
+  std::string file, folder;  ///< its file, and the folder in "Program Files"
+};
+
+/// The file of a program on Windows, on the path or where its installer put it; else its name.
+std::string program_file(const std::string& name, const Installation& windows = {});
 
 }  // namespace coppermoon::files

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
-#include <sys/inotify.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,6 +15,7 @@
 
 #include "algebra/error.h"
 #include "files/descriptor_posix.h"
+#include "files/linux_or_macos.h"
 #include "files/running_program.h"
 
 namespace coppermoon::files {
@@ -33,9 +32,7 @@ using Clock = std::chrono::steady_clock;
 /// a fork in a process with many threads.
 void become(char* const* arguments, char* const* variables, const Program& program,
             const Streams& streams, pid_t parent) {
-  if (program.outlives_us ? ::setpgid(0, 0) != 0
-                          : ::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent)
-    return;
+  if (program.outlives_us ? ::setpgid(0, 0) != 0 : !end_with(parent)) return;
   const int nothing = ::open("/dev/null", O_RDWR);
   if (nothing < 0 || ::chdir(program.folder.c_str()) != 0) return;
   const auto put = [&](const Handle* stream, int place) {
@@ -43,7 +40,7 @@ void become(char* const* arguments, char* const* variables, const Program& progr
   };
   put(streams.input, STDIN_FILENO), put(streams.output, STDOUT_FILENO),
       put(streams.error, STDERR_FILENO);
-  ::execvpe(arguments[0], arguments, variables);
+  execute(arguments, variables);
 }
 
 /// The environment of this process with the given variables added or replaced.
@@ -73,36 +70,13 @@ int failure_of(const Handle& from) {
   return failure;
 }
 
-/// An inotify watch that reports each closing of a file written in a folder. Returns an empty handle if `file` is empty
-/// or the system has no watches left.
-Handle watch(const std::filesystem::path& folder, const std::string& file) {
-  Handle made(file.empty() ? -1 : ::inotify_init1(IN_CLOEXEC | IN_NONBLOCK));
-  if (made && ::inotify_add_watch(descriptor_of(made), folder.c_str(), IN_CLOSE_WRITE) < 0)
-    made.close();
-  return made;
-}
-
-/// Whether the pending reports of an inotify watch include the closing of a given file.
-bool has_closed(const Handle& watch, const std::string& file) {
-  alignas(inotify_event) std::array<char, 4096> events;
-  const auto count = ::read(descriptor_of(watch), events.data(), events.size());
-  for (std::ptrdiff_t at = 0; at < count;) {
-    const auto* event = reinterpret_cast<const inotify_event*>(events.data() + at);
-    if (event->len > 0 && file == event->name) return true;
-    at += static_cast<std::ptrdiff_t>(sizeof *event + event->len);
-  }
-  return false;
-}
-
 /// Time left until a program's timeout [ms]; negative if there is no timeout.
 ///
 /// Throws  Error  if no time is left
 int milliseconds_left(const Program& program, double timeout_s, Clock::time_point start) {
   if (timeout_s == 0) return -1;
   const double used_s = std::chrono::duration<double>(Clock::now() - start).count();
-  if (used_s >= timeout_s)
-    throw Error(
-        fmt::format("{}: not done after {:g} s, the time allowed", program.words[0], timeout_s));
+  if (used_s >= timeout_s) throw not_done(program, timeout_s);
   return static_cast<int>(std::min(timeout_s - used_s, 1e3) * 1e3) + 1;
 }
 
@@ -128,12 +102,14 @@ bool listen(const Handle& words, const Handle& closing, const Program& program,
 
 }  // namespace
 
-const char* const own_output = "/dev/fd/1";
+std::string own_output(const Handle&) { return "/dev/fd/1"; }
+
+std::string program_file(const std::string& name, const Installation&) { return name; }
 
 /// The descriptors of both ends are 3 or more, so that a child does not overwrite them with its standard streams.
 Pipe::Pipe() {
   int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) refuse_pipe();
+  if (!make_pipe(ends)) refuse_pipe();
   const Handle low_out(ends[0]), low_in(ends[1]);
   out = Handle(::fcntl(ends[0], F_DUPFD_CLOEXEC, 3));
   in = Handle(::fcntl(ends[1], F_DUPFD_CLOEXEC, 3));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -43,7 +42,5 @@ std::error_code write_at(const Handle& file, std::uint64_t place, std::string_vi
   }
   return {};
 }
-
-std::string name_of(const Handle& file) { return fmt::format("/proc/self/fd/{}", file.number); }
 
 }  // namespace coppermoon::files

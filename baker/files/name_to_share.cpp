@@ -6,11 +6,11 @@ namespace coppermoon::files {
 namespace fs = std::filesystem;
 
 std::string name_to_share(const fs::path& path) {
-  if (path.is_relative()) return path.string();
+  if (path.is_relative()) return path.generic_string();
   const auto plain = path.lexically_normal();
   std::error_code failed;
   const auto relative = plain.lexically_relative(fs::current_path(failed));
-  if (!failed && !relative.empty() && *relative.begin() != "..") return relative.string();
+  if (!failed && !relative.empty() && *relative.begin() != "..") return relative.generic_string();
   return plain.string().starts_with("/usr/") ? plain.string() : plain.filename().string();
 }
 

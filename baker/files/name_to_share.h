@@ -8,7 +8,7 @@ namespace coppermoon::files {
 
 /// A file's name without the user's private folders, to be mentioned in files that may be given to others.
 ///
-/// Returned  relative paths and paths in /usr unchanged; absolute paths in the current folder relative to it; for all
+/// Returned  relative paths and paths in /usr unchanged, but with slashes where Windows has backslashes; absolute paths in the current folder relative to it; for all
 ///           other paths, only the last part
 std::string name_to_share(const std::filesystem::path& path);
 

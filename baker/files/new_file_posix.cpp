@@ -8,6 +8,7 @@
 #include <cerrno>
 
 #include "files/descriptor_posix.h"
+#include "files/linux_or_macos.h"
 #include "files/new_file.h"
 
 namespace coppermoon::files {
@@ -43,9 +44,8 @@ void NewFile::with_a_name(Make make) {
   throw cannot_write(final_, last_error());
 }
 
-NewFile::NewFile(const fs::path& final_path) : final_(final_path) {
-  if (fs::exists("/proc/self/fd"))
-    handle_ = Handle(::open(final_.parent_path().c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666));
+NewFile::NewFile(const fs::path& final_path)
+    : final_(final_path), handle_(nameless_file(final_.parent_path())) {
   if (!handle_) {
     with_a_name([this](const fs::path& name) {
       handle_ = Handle(::open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "algebra/error.h"
 #include "files/child_process.h"
 #include "files/handle.h"
 
@@ -23,6 +24,8 @@ std::string read_some(const Handle& pipe);
 /// A running program. The destructor kills it.
 struct RunningProgram {
   std::int64_t id = 0;
+  Handle
+      tree{};  ///< where the system has such handles, closing it kills the program and its children
   bool leads_group = false;  ///< whether the destructor kills its whole process group
 
   RunningProgram() = default;
@@ -30,9 +33,12 @@ struct RunningProgram {
   RunningProgram& operator=(const RunningProgram&) = delete;
   ~RunningProgram();
 
-  /// Waits until the program ends, and returns the status that waitpid reports.
+  /// Waits until the program ends, and returns the status that the system reports.
   int status();
 };
+
+/// Error for a program that has not ended within its timeout.
+algebra::Error not_done(const Program& program, double timeout_s);
 
 /// Standard streams of a program. If one is nullptr, the input is empty, or the output is discarded.
 struct Streams {

@@ -12,6 +12,10 @@ namespace coppermoon::files {
 /// but the program goes on. Exceeding the limit on file sizes becomes an ordinary error.
 void prepare_standard_streams();
 
+/// Status that main returns, after all streams are flushed. On Windows, this ends the program: the threads of some image
+/// libraries would wait there for each other for ever.
+int end_program(int status);
+
 /// Whether stderr is a terminal.
 bool errors_on_terminal();
 

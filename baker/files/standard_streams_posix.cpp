@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "files/descriptor_posix.h"
+#include "files/linux_or_macos.h"
 #include "files/standard_streams.h"
 
 namespace coppermoon::files {
@@ -20,12 +21,7 @@ void hold_standard_descriptors() {
 }
 
 void speak_to_whoever_hears() {
-  cookie_io_functions_t voice{};
-  voice.write = [](void*, const char* words, std::size_t size) -> ssize_t {
-    const auto heard = ::write(STDERR_FILENO, words, size);
-    return heard > 0 ? heard : static_cast<ssize_t>(size);
-  };
-  FILE* const error = ::fopencookie(nullptr, "w", voice);
+  FILE* const error = stream_to_say_or_lose();
   if (error == nullptr) return;
   std::setvbuf(error, nullptr, _IONBF, 0);
   stderr = error;
@@ -33,11 +29,18 @@ void speak_to_whoever_hears() {
 
 }  // namespace
 
+std::size_t say_or_lose(const char* words, std::size_t size) {
+  const auto heard = ::write(STDERR_FILENO, words, size);
+  return heard > 0 ? static_cast<std::size_t>(heard) : size;
+}
+
 void prepare_standard_streams() {
   hold_standard_descriptors();
   speak_to_whoever_hears();
   ::signal(SIGXFSZ, SIG_IGN);
 }
+
+int end_program(int status) { return status; }
 
 bool errors_on_terminal() { return ::isatty(STDERR_FILENO) != 0; }
 

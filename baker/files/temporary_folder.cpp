@@ -23,4 +23,11 @@ TemporaryFolder::~TemporaryFolder() {
   std::filesystem::remove_all(path_, ignored);
 }
 
+void name_also(const std::filesystem::path& file, const std::filesystem::path& name) {
+  std::error_code failed;
+  std::filesystem::create_symlink(std::filesystem::absolute(file), name, failed);
+  if (failed) std::filesystem::create_hard_link(file, name, failed);
+  if (failed) std::filesystem::copy_file(file, name);
+}
+
 }  // namespace coppermoon::files

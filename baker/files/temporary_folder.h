@@ -43,4 +43,9 @@ class TemporaryFolder {
   std::optional<RemovalAtEnd> removal_;
 };
 
+/// Gives a file another name, in a temporary folder: by a link, or where links are not allowed, by a hard link or a copy.
+///
+/// Throws  std::filesystem::filesystem_error
+void name_also(const std::filesystem::path& file, const std::filesystem::path& name);
+
 }  // namespace coppermoon::files

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cerrno>
 #include <fstream>
 #include <limits>
@@ -22,6 +24,7 @@ namespace fs = std::filesystem;
 ///
 /// Throws  Error  if no regular file can be there
 fs::path destination(const fs::path& path) {
+  require_possible_name(path);
   std::error_code failed;
   if (path.filename().empty() || fs::is_directory(path, failed))
     throw cannot_write(path, std::make_error_code(std::errc::is_a_directory));
@@ -93,7 +96,36 @@ std::string beginning_of(const fs::path& path, std::size_t most_bytes) {
   return bytes;
 }
 
+std::string_view why_not_on_windows(std::string_view name) {
+  using namespace std::string_view_literals;
+  if (name == "." || name == "..") return {};
+  if (name.ends_with('.') || name.ends_with(' ')) return "ends in a dot or a blank";
+  if (std::ranges::any_of(name, [](unsigned char c) { return c < ' '; }) ||
+      name.find_first_of("<>:\"|?*") != name.npos)
+    return "has one of <>:\"|?*";
+  std::string stem(name.substr(0, name.find('.')));
+  while (stem.ends_with(' ')) stem.pop_back();
+  std::ranges::transform(stem, stem.begin(), [](unsigned char c) { return std::toupper(c); });
+  const bool numbered = stem.size() == 4 && stem[3] >= '1' && stem[3] <= '9' &&
+                        (stem.starts_with("COM") || stem.starts_with("LPT"));
+  constexpr std::array devices{"CON"sv, "PRN"sv, "AUX"sv, "NUL"sv};
+  return numbered || std::ranges::find(devices, stem) != devices.end() ? "is a device" : "";
+}
+
+void require_possible_name(const fs::path& path) {
+  if constexpr (fs::path::preferred_separator == '\\') {
+    std::string_view why;
+    if (path.has_root_name() && !path.has_root_directory()) why = "has one of <>:\"|?*";
+    for (const auto& part : path.relative_path())
+      if (why.empty()) why = why_not_on_windows(part.string());
+    if (!why.empty())
+      throw algebra::Error(
+          fmt::format("{}: a name of it {}, which Windows does not allow", path.string(), why));
+  }
+}
+
 void require_place_for(const std::filesystem::path& file) {
+  require_possible_name(file);
   std::error_code failed;
   const auto target = fs::is_symlink(file, failed) ? place_of(file, failed) : file;
   const auto folder = target.has_parent_path() ? target.parent_path() : std::filesystem::path(".");

@@ -28,6 +28,14 @@ void write_whole(const std::filesystem::path& path, const std::function<void(con
 /// Writes text to a file that appears whole or not at all.
 void write_whole(const std::filesystem::path& path, std::string_view text);
 
+/// Refuses a name that Windows gives to no file, on Windows: `a:b`, `con.exr`, one that ends in a dot or a blank.
+///
+/// Throws  Error
+void require_possible_name(const std::filesystem::path& path);
+
+/// Why Windows refuses a name of a file or folder; empty if it does not.
+std::string_view why_not_on_windows(std::string_view name);
+
 /// Refuses a pipe, a device or any other file from which reading might block or never end.
 ///
 /// Throws  Error  one line with the path, if it exists but is not a regular file
@@ -35,7 +43,8 @@ void require_regular_file(const std::filesystem::path& path);
 
 /// Refuses a path at which no file could be written. Call it before the work whose result goes there.
 ///
-/// Throws  Error  if the folder of the file (or of a link's target) is missing, or if the path itself is a folder
+/// Throws  Error  if the folder of the file (or of a link's target) is missing, if the path itself is a folder, or if
+///                the system allows no such name
 void require_place_for(const std::filesystem::path& file);
 
 /// All bytes of a regular file.

@@ -216,4 +216,16 @@ TEST_F(WholeFile, NeedsPermission) {
   std::filesystem::permissions(in_folder(""), perms::owner_all);
 }
 
+TEST(NamesOnWindows, AreNoDevicesAndHaveNoSignsOfItsOwn) {
+  for (const auto* name :
+       {"moon.exr", "Ö 月.exr", ".hidden", "..", "console.exr", "com.exr", "com10", "a b"})
+    EXPECT_EQ(coppermoon::files::why_not_on_windows(name), "") << name;
+  for (const auto* name : {"CON", "con.exr", "nul", "Aux .txt", "COM1", "lpt9.png"})
+    EXPECT_EQ(coppermoon::files::why_not_on_windows(name), "is a device") << name;
+  for (const auto* name : {"moon.", "moon ", "..."})
+    EXPECT_EQ(coppermoon::files::why_not_on_windows(name), "ends in a dot or a blank") << name;
+  for (const auto* name : {"a:b", "a?", "<a>", "a|b", "a*", "a\nb", "\"a\""})
+    EXPECT_EQ(coppermoon::files::why_not_on_windows(name), "has one of <>:\"|?*") << name;
+}
+
 }  // namespace

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "files/handle.h"
+
+namespace coppermoon::files {
+
+/// The HANDLE in a handle.
+inline void* system_handle(const Handle& handle) { return reinterpret_cast<void*>(handle.number); }
+
+/// A handle that closes a HANDLE; empty for INVALID_HANDLE_VALUE and for a null pointer.
+inline Handle owned(void* system) {
+  return system == nullptr ? Handle() : Handle(reinterpret_cast<std::intptr_t>(system));
+}
+
+/// The offset in a file as an OVERLAPPED.
+template <class Overlapped>
+Overlapped offset(std::uint64_t place) {
+  Overlapped where{};
+  where.Offset = static_cast<std::uint32_t>(place);
+  where.OffsetHigh = static_cast<std::uint32_t>(place >> 32U);
+  return where;
+}
+
+/// Another handle of what a HANDLE is open to. Child processes inherit it if `inherited` is set.
+Handle copied(void* system, bool inherited = false);
+
+/// The system's reason for the last failure in this thread.
+std::error_code last_error();
+
+/// UTF-8 text as UTF-16.
+inline std::wstring wide(const std::string& text) { return std::filesystem::path(text).wstring(); }
+
+}  // namespace coppermoon::files
