@@ -110,7 +110,9 @@ std::filesystem::path sheet_font() {
                              "/usr/share/fonts/TTF/DejaVuSans.ttf",
                              "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf",
                              "/usr/share/fonts/truetype/freefont/FreeSans.ttf",
-                             "/usr/local/share/fonts/DejaVuSans.ttf"};
+                             "/usr/local/share/fonts/DejaVuSans.ttf",
+                             "C:/Windows/Fonts/arial.ttf",
+                             "C:/Windows/Fonts/tahoma.ttf"};
   for (std::filesystem::path font : known)
     if (std::filesystem::exists(font)) return font;
   throw Error(

@@ -89,8 +89,8 @@ std::optional<ColourProfile> ColourProfile::of_icc(std::string_view bytes, std::
 
 std::optional<ColourProfile> ColourProfile::of_primaries(const std::array<double, 8>& xy,
                                                          std::optional<double> power) {
-  const auto near = [](double a, double b) { return std::abs(a - b) < 0.005; };
-  if (std::ranges::equal(xy, rec709, near)) return std::nullopt;
+  const auto alike = [](double a, double b) { return std::abs(a - b) < 0.005; };
+  if (std::ranges::equal(xy, rec709, alike)) return std::nullopt;
   return ColourProfile(to_rec709(profile_of(xy, power), false));
 }
 

@@ -131,7 +131,7 @@ class FitsInput : public OIIO::ImageInput {
     require_plain(name);
     int status = 0;
     // An absolute path, because CFITSIO would take a leading ~ for a home folder. Nothing else in the path is special.
-    fits_open_diskfile(&file_, std::filesystem::absolute(name).c_str(), READONLY, &status);
+    fits_open_diskfile(&file_, std::filesystem::absolute(name).string().c_str(), READONLY, &status);
     require_success(status);
     header_ = header_of(file_);
     LONGLONG begin = 0;

@@ -43,7 +43,7 @@ class TiffTags {
         TIFFOpenOptionsAlloc(), &TIFFOpenOptionsFree);
     TIFFOpenOptionsSetErrorHandlerExtR(options.get(), say_nothing, nullptr);
     TIFFOpenOptionsSetWarningHandlerExtR(options.get(), say_nothing, nullptr);
-    file_.reset(TIFFOpenExt(path.c_str(), "rm", options.get()));
+    file_.reset(TIFFOpenExt(path.string().c_str(), "rm", options.get()));
   }
 
   template <class... Values>
