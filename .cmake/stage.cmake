@@ -8,6 +8,10 @@
 # kind of vector. APART are compiled together, but not with SOURCES: a program that calls none of them has none of them.
 # COMPILED_QUICKLY compiles SOURCES at -O1 (-O0 in Debug), for what is long there is the work of other stages; APART
 # always are. Without SOURCES the stage is a name for all that it needs.
+if(NOT APPLE)  # whose linker has no such options
+  set(coppermoon_as_needed LINKER:--as-needed)
+  set(coppermoon_own_symbols LINKER:--exclude-libs,ALL)
+endif()
 set(coppermoon_compiled_quickly $<$<CONFIG:Release>:-O1> $<$<CONFIG:Debug>:-O0>)
 function(coppermoon_stage name)
   cmake_parse_arguments(STAGE "COMPILED_QUICKLY" "ROOT;IN" "HEADERS;SOURCES;APART;ALONE;TABLES;BYTES;NEEDS;USES;PRIVATELY" ${ARGN})
@@ -71,6 +75,18 @@ function(coppermoon_tables name root out texts bytes)
   set(dir ${PROJECT_BINARY_DIR}/generated/${name})
   set(declarations "// Generated from ${name}/data.\n#pragma once\n#include <string_view>\nnamespace coppermoon::${name}::tables {\n")
   set(sources)
+  set(begin ".pushsection .rodata")
+  set(end .popsection)
+  set(hidden .hidden)
+  if(WIN32)  # whose object files name the section otherwise, and hide no symbols
+    set(begin ".section .rdata,\"dr\"")
+    set(end .text)
+    set(hidden "#")
+  elseif(APPLE)
+    set(begin ".section __TEXT,__const")
+    set(end .text)
+    set(hidden .private_extern)
+  endif()
   foreach(table ${texts})
     get_filename_component(stem ${table} NAME_WE)
     cmake_path(ABSOLUTE_PATH table BASE_DIRECTORY ${root}/data NORMALIZE OUTPUT_VARIABLE file)  # or beside data, as ../NAME

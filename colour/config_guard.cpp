@@ -197,7 +197,7 @@ class Walk {
 ocio::ConstConfigRcPtr guarded_config(const fs::path& path) {
   require_regular(path);
   require_few_aliases(path);
-  auto config = ocio::Config::CreateFromFile(path.c_str());
+  auto config = ocio::Config::CreateFromFile(path.string().c_str());
   try {
     Walk(*config).all();
   } catch (const Error& error) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "colour/working_space.h"
 
-#include <string.h>
 #include <strings.h>
 
 #include <algorithm>
@@ -95,6 +94,15 @@ double share_of_grey(const glm::dvec3& colour, const glm::dvec3& grey) {
   return share;
 }
 
+/// Where a word occurs in a text, whatever the case of its letters; npos if it does not.
+std::size_t find_word(std::string_view text, std::string_view word) {
+  const auto same = [](unsigned char a, unsigned char b) {
+    return std::tolower(a) == std::tolower(b);
+  };
+  const auto found = std::ranges::search(text, word, same);
+  return found.empty() ? text.npos : static_cast<std::size_t>(found.begin() - text.begin());
+}
+
 }  // namespace
 
 std::span<const std::string_view> aliases(WorkingSpace space) {
@@ -120,16 +128,16 @@ WorkingSpace working_space(std::string_view name_or_alias) {
 std::optional<WorkingSpace> space_in_name(std::string_view file_name) {
   for (const auto space : all_spaces)
     for (const auto alias : aliases(space))
-      if (::strcasestr(std::string(file_name).c_str(), alias.data())) return space;
+      if (find_word(file_name, alias) != file_name.npos) return space;
   return std::nullopt;
 }
 
 bool names_another_space(std::string_view file_name) {
   if (space_in_name(file_name)) return false;
-  const std::string name(file_name);
   const auto has_word = [&](const char* start) {
-    const char* found = ::strcasestr(name.c_str(), start);
-    return found && (found == name.c_str() || !std::isalnum(static_cast<unsigned char>(found[-1])));
+    const auto found = find_word(file_name, start);
+    return found != file_name.npos &&
+           (found == 0 || !std::isalnum(static_cast<unsigned char>(file_name[found - 1])));
   };
   return std::ranges::any_of(std::array{"aces", "ap0", "ap1", "rec2020", "p3", "xyz"}, has_word);
 }
