@@ -69,8 +69,15 @@ std::vector<std::string> words_for(const RenderWindow& window) {
   return words;
 }
 
+/// POV-Ray's own program for Windows has a window, and is told to render and to leave.
+///
+/// Source  POV-Ray 3.7 for Windows, help, "Special Command-Line Options"; not tried, as there is none on Linux
 std::vector<std::string> command(const RenderSettings& settings, const Run& run) {
-  std::vector<std::string> words{settings.povray, settings_file, "+O" + run.output, "-D", "-P"};
+  std::vector<std::string> words{
+      files::program_file(settings.povray, {"pvengine64.exe", "POV-Ray/v3.7/bin"})};
+  if (fs::path(words[0]).stem().string().starts_with("pvengine"))
+    words.insert(words.end(), {"/EXIT", "/RENDER"});
+  words.insert(words.end(), {settings_file, "+O" + run.output, "-D", "-P"});
   words.push_back(run.progress ? "+V" : "-V");
   words.insert(words.end(), run.subset.begin(), run.subset.end());
   if (settings.window) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "files/temporary_folder.h"
 #include "files/whole_file.h"
 #include "povray_scenes/moon_scene.h"
 #include "povray_scenes/process.h"
@@ -35,19 +36,20 @@ void render_for(const std::function<void(const std::filesystem::path& exr)>& rea
 std::filesystem::path render_own(const std::filesystem::path& folder, const OwnScene& scene,
                                  const RenderSettings& settings) {
   const auto file = std::filesystem::absolute(scene.file);
-  std::filesystem::create_symlink(file, folder / "scene.pov");  // POV-Ray takes plain names only
-  std::filesystem::create_directory_symlink(file.parent_path(), folder / "scene_folder");
+  files::name_also(file, folder / "scene.pov");  // POV-Ray takes plain names only
+  std::error_code failed;
+  std::filesystem::create_directory_symlink(file.parent_path(), folder / "scene_folder", failed);
+  const auto library = failed ? fmt::format("\"{}\"", file.parent_path().string()) : "scene_folder";
   const auto last = std::max(scene.last, scene.first + 1);  // one frame alone has no clock
   MoonScene picture{.camera = {}, .texture = {}};
   picture.camera.width = scene.width;
   picture.camera.height = scene.height;
   files::write_whole(
       folder / settings_file,
-      ini_text(
-          picture, frame_file,
-          fmt::format("Input_File_Name=scene.pov\nLibrary_Path=scene_folder\nInitial_Frame={}\n"
-                      "Final_Frame={}\nHigh_Reproducibility=on\n",
-                      scene.first, last)));
+      ini_text(picture, frame_file,
+               fmt::format("Input_File_Name=scene.pov\nLibrary_Path={}\nInitial_Frame={}\n"
+                           "Final_Frame={}\nHigh_Reproducibility=on\n",
+                           library, scene.first, last)));
   const Draft draft(folder);
   run_povray(settings, draft,
              {.output = draft.stem + "..exr",
