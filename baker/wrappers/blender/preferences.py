@@ -13,11 +13,11 @@ class CoppermoonPreferences(bpy.types.AddonPreferences):
 
     program: bpy.props.StringProperty(
         name="Program", subtype="FILE_PATH",
-        description="The program coppermoon; empty: the one on the PATH")
+        description="The program coppermoon, or its folder; empty: the one on the PATH")
     textures: bpy.props.StringProperty(
         name="Textures", subtype="DIR_PATH",
         description="Folder for baked textures; empty: the folder coppermoon beside the .blend file, "
-                    "or ~/.cache/coppermoon until that is saved")
+                    "or the user's cache folder until that is saved")
 
     def draw(self, context):
         self.layout.prop(self, "program")
@@ -32,11 +32,13 @@ def chosen(name):
 
 def program():
     """The path to the program."""
-    name = chosen("program") or "coppermoon"
-    path = shutil.which(name)
-    if not path:
-        raise Wrong(f"{name}: no such program; the add-on's preferences say where coppermoon is")
-    return path
+    where = chosen("program")
+    # a file, also without Windows' .exe; or a folder that an archive was unpacked to
+    paths = [where] + [os.path.join(where, folder, "coppermoon") for folder in ("", "bin")] if where else ["coppermoon"]
+    for path in paths:
+        if found := shutil.which(path) or shutil.which(path + ".exe"):
+            return found
+    raise Wrong(f"{paths[0]}: no such program; the add-on's preferences say where coppermoon is")
 
 
 def texture_folder():
@@ -55,7 +57,7 @@ def cache_folder():
     """The folder for textures until the scene is saved. OpenImageIO's reader of eclipses uses the same cache."""
     if os.environ.get("COPPERMOON_CACHE"):
         return os.path.abspath(os.environ["COPPERMOON_CACHE"])
-    cache = os.environ.get("XDG_CACHE_HOME", "")
+    cache = os.environ.get("LOCALAPPDATA" if os.name == "nt" else "XDG_CACHE_HOME", "")
     return os.path.join(cache if os.path.isabs(cache) else os.path.expanduser("~/.cache"), "coppermoon")
 
 

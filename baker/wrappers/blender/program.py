@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Runs the program coppermoon in the background, and reads its output, progress and errors."""
 import os
+import queue
 import re
 import subprocess
+import threading
 
 from . import preferences
 from .wrong import Wrong
@@ -12,20 +14,25 @@ ESCAPES = re.compile(r"\x1b\[[0-9;]*[A-Za-z]")
 
 
 class Stream:
-    """Collects the text that comes from a file descriptor."""
+    """Collects the text that comes from a file descriptor. A thread waits for it, because pipes of Windows always block."""
 
     def __init__(self, descriptor):
-        self.descriptor = descriptor
         self.text = ""
-        os.set_blocking(descriptor, False)
+        self.arrived = queue.SimpleQueue()
+        self.thread = threading.Thread(target=self.wait, args=(descriptor,), daemon=True)
+        self.thread.start()
+
+    def wait(self, descriptor):
+        try:
+            while some := os.read(descriptor, 65536):
+                self.arrived.put(some.decode("utf-8", "replace"))
+        except OSError:  # the terminal has closed
+            pass
 
     def read(self):
         """Reads all text that has arrived so far."""
-        try:
-            while some := os.read(self.descriptor, 65536):
-                self.text += some.decode("utf-8", "replace")
-        except OSError:  # nothing yet, or the terminal has closed
-            pass
+        while not self.arrived.empty():
+            self.text += self.arrived.get()
 
     def lines(self):
         """The complete lines that have arrived since the last call."""
@@ -41,10 +48,11 @@ def run(words, take=lambda line: None):
     Throws  Wrong  if the program fails, with its last message
     """
     path = preferences.program()
-    ours, theirs = os.openpty()  # it only draws its progress bar on a terminal
+    # It only draws its progress bar on a terminal, which Windows has no short way to make.
+    ours, theirs = os.openpty() if hasattr(os, "openpty") else os.pipe()
     try:
-        process = subprocess.Popen([path, *words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                   stderr=theirs)
+        process = subprocess.Popen([path, *words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=theirs,
+                                   creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0))
     except OSError as error:
         os.close(ours)
         raise Wrong(f"{path}: {error.strerror}") from error
@@ -55,6 +63,9 @@ def run(words, take=lambda line: None):
     try:
         while True:
             ended = process.poll() is not None
+            if ended:
+                out.thread.join(1)
+                errors.thread.join(1)
             out.read()
             errors.read()
             for line in out.lines():
@@ -73,6 +84,8 @@ def run(words, take=lambda line: None):
         if process.poll() is None:
             process.terminate()
             process.wait()
+        out.thread.join(1)
+        errors.thread.join(1)
         process.stdout.close()
         os.close(ours)
     if process.returncode != 0:

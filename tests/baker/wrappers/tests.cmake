@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: MIT
+# How the add-on for Blender runs the program, without Blender; also as on Windows.
+add_test(NAME baker/wrappers/blender/program COMMAND python3 ${CMAKE_CURRENT_LIST_DIR}/blender/program_test.py)
+
 # The Python package, where it is built: each file one entry of ctest, run by the interpreter that it was built for.
 if(TARGET coppermoon_python)
   add_custom_target(baker_wrappers_python_heavy_tests DEPENDS coppermoon_python coppermoon_program)
