@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Makes a wheel from a built package, without network. pip can install it on systems with the same libraries.
 
-    python3 wheel_of.py PACKAGE VERSION FOLDER
+    python3 wheel_of.py PACKAGE VERSION FOLDER [MINOR]
+
+Given   MINOR  of another Python 3 that the package was built for, as 14
 """
 import pathlib
 import shutil
@@ -11,7 +13,8 @@ import sysconfig
 import tempfile
 
 package, version, folder = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
-interpreter = f"cp{sys.version_info.major}{sys.version_info.minor}"
+minor = sys.argv[4] if len(sys.argv) > 4 else sys.version_info.minor
+interpreter = f"cp3{minor}"
 system = sysconfig.get_platform().replace("-", "_").replace(".", "_")
 with tempfile.TemporaryDirectory() as scratch:
     shutil.copytree(package, pathlib.Path(scratch) / package.name, ignore=shutil.ignore_patterns("__pycache__"))
@@ -19,7 +22,7 @@ with tempfile.TemporaryDirectory() as scratch:
     facts.mkdir()
     (facts / "METADATA").write_text(
         f"Metadata-Version: 2.1\nName: {package.name}\nVersion: {version}\nSummary: Bakes eclipsed Moons\nLicense: MIT\n"
-        f"Requires-Python: =={sys.version_info.major}.{sys.version_info.minor}.*\nRequires-Dist: numpy\n")
+        f"Requires-Python: ==3.{minor}.*\nRequires-Dist: numpy\n")
     (facts / "WHEEL").write_text(
         f"Wheel-Version: 1.0\nGenerator: coppermoon\nRoot-Is-Purelib: false\nTag: {interpreter}-{interpreter}-{system}\n")
     subprocess.run([sys.executable, "-m", "wheel", "pack", scratch, "--dest-dir", folder], check=True)
