@@ -59,6 +59,8 @@ std::filesystem::path own_cities_file() {
   };
   if (const auto xdg = variable("XDG_CONFIG_HOME"); xdg.is_absolute())
     return xdg / "coppermoon" / "cities.csv";
+  if (const auto windows = variable("APPDATA"); windows.is_absolute())
+    return windows / "coppermoon" / "cities.csv";
   const auto home = variable("HOME");
   return home.empty() ? home : home / ".config" / "coppermoon" / "cities.csv";
 }
@@ -66,9 +68,10 @@ std::filesystem::path own_cities_file() {
 /// Reads and checks the rows of the user's own file of cities. The file may have a heading or not.
 Rows own_rows() {
   const auto path = own_cities_file();
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  auto rows = algebra::parse_text_table(text.str());
+  std::ostringstream bytes;
+  bytes << std::ifstream(path, std::ios::binary).rdbuf();
+  const auto text = bytes.str();
+  auto rows = algebra::parse_text_table(algebra::utf8_text(text, path.string()));
   std::erase_if(rows, [](const auto& row) { return row[0] == "name"; });
   for (auto& row : rows) {
     const bool sound = row.size() == 6 && !row[0].empty() && algebra::number_in(row[2]) &&

@@ -37,7 +37,8 @@ algebra::Grid<float> built_in_map() {
   const std::unique_ptr<jpeg_decompress_struct, decltype(&jpeg_destroy_decompress)> destroyed(
       &jpeg, jpeg_destroy_decompress);
   jpeg_create_decompress(&jpeg);
-  jpeg_mem_src(&jpeg, reinterpret_cast<const unsigned char*>(file.data()), file.size());
+  jpeg_mem_src(&jpeg, reinterpret_cast<const unsigned char*>(file.data()),
+               static_cast<unsigned long>(file.size()));
   jpeg_read_header(&jpeg, TRUE);
   jpeg_start_decompress(&jpeg);
   algebra::Grid<float> map(jpeg.output_height, jpeg.output_width);

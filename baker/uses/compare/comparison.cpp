@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <execution>
 #include <functional>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -111,8 +111,13 @@ texture::Image glowing(texture::Image frame, double share,
 constexpr float of_brightest = 0.99F;
 
 float brightest_of(const texture::Image& image) {
-  return std::reduce(std::execution::par_unseq, image.values.begin(), image.values.end(),
-                     image.values.front(), [](float a, float b) { return std::max(a, b); });
+  const auto greater = [](float a, float b) { return std::max(a, b); };
+  return tbb::parallel_reduce(
+      tbb::blocked_range(image.values.begin(), image.values.end()), image.values.front(),
+      [&](const auto& part, float most) {
+        return std::accumulate(part.begin(), part.end(), most, greater);
+      },
+      greater);
 }
 
 bool any_channel_reaches(const glm::dvec3& rgb, double value) {

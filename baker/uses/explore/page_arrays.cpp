@@ -77,9 +77,10 @@ void PageArrays::append(const PageArrays& others) {
 }
 
 std::string PageArrays::text() const {
-  uLongf size = compressBound(bytes_.size());
+  const auto length = static_cast<uLong>(bytes_.size());
+  uLongf size = compressBound(length);
   std::vector<std::uint8_t> compressed(size);
-  if (compress2(compressed.data(), &size, bytes_.data(), bytes_.size(), Z_BEST_COMPRESSION) != Z_OK)
+  if (compress2(compressed.data(), &size, bytes_.data(), length, Z_BEST_COMPRESSION) != Z_OK)
     throw algebra::Error("the page's numbers: not enough memory to compress them");
   compressed.resize(size);
   return as_base64(compressed);

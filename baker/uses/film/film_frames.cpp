@@ -172,7 +172,7 @@ void render(const Film& film, Frames frames, int threads, const WhenMade& when_m
     const auto path = texture_file(batch.size());
     if (film.products.textures) {
       write_texture(film, frame, moon);
-      std::filesystem::create_symlink(std::filesystem::absolute(film.texture(frame)), path);
+      files::name_also(film.texture(frame), path);
     } else {
       texture::write_exr(path, moon.parts, moon.attributes, {.packed = false});
     }

@@ -33,10 +33,10 @@ std::vector<fs::path> pictures_of(const Film& film, const std::vector<std::size_
   return pictures;
 }
 
-/// Makes consecutively numbered links to the pictures, because ffmpeg requires such names.
+/// Gives the pictures consecutive numbers as names, because ffmpeg requires such names.
 void number_pictures(const fs::path& folder, const std::vector<fs::path>& pictures) {
   for (std::size_t i = 0; i < pictures.size(); ++i)
-    fs::create_symlink(fs::absolute(pictures[i]), folder / fmt::format("{:07}.png", i));
+    files::name_also(pictures[i], folder / fmt::format("{:07}.png", i));
 }
 
 /// A display's primaries and transfer characteristics, by the names that ffmpeg uses.
@@ -104,13 +104,15 @@ std::string coding_for(const fs::path& movie, const Film& film,
 
 /// ffmpeg's command line. ffmpeg opens the output file by name, because it has to seek backwards in the file.
 std::vector<std::string> command(const FrameRate& fps, const std::string& coding,
-                                 const fs::path& movie) {
+                                 const fs::path& movie, const std::string& output) {
   std::istringstream words(
       fmt::format("ffmpeg -nostdin -loglevel error -xerror -y -framerate {} -f image2 -i %07d.png "
                   "-vf pad=ceil(iw/2)*2:ceil(ih/2)*2,{} "
-                  "-movflags +faststart -f {} {}",
-                  text_of(fps), coding, is_prores(movie) ? "mov" : "mp4", files::own_output));
-  return {std::istream_iterator<std::string>(words), {}};
+                  "-movflags +faststart -f {}",
+                  text_of(fps), coding, is_prores(movie) ? "mov" : "mp4"));
+  std::vector<std::string> all{std::istream_iterator<std::string>(words), {}};
+  all.push_back(output);
+  return all;
 }
 
 constexpr std::size_t codes = 65536;
@@ -137,8 +139,9 @@ void write_movie(const fs::path& path, const Film& film, const std::vector<std::
   const files::TemporaryFolder folder;
   const auto pictures = pictures_of(film, frames);
   number_pictures(folder.path(), pictures);
-  const auto words = command(film.fps, coding_for(path, film, pictures), path);
+  const auto coding = coding_for(path, film, pictures);
   files::write_whole(path, [&](const files::Handle& file) {
+    const auto words = command(film.fps, coding, path, files::own_output(file));
     files::run_program({.words = words, .package = package, .folder = folder.path()}, &file);
   });
 }

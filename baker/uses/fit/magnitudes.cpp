@@ -12,6 +12,7 @@
 
 #include "algebra/error.h"
 #include "algebra/number.h"
+#include "algebra/table.h"
 #include "eclipse/shadow_axis.h"
 #include "files/whole_file.h"
 #include "surface/albedo_map.h"
@@ -121,9 +122,7 @@ std::vector<MeasuredMagnitude> read_magnitudes(const std::string& file) {
   if (text.size() > most_bytes)
     throw algebra::Error(
         fmt::format("{}: a list of more than {} bytes, allowed up to that", file, most_bytes));
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  std::istringstream lines(text.starts_with(byte_order_mark) ? text.substr(byte_order_mark.size())
-                                                             : text);
+  std::istringstream lines(std::string(algebra::utf8_text(text, file)));
   std::vector<std::string> names;
   std::vector<MeasuredMagnitude> all;
   std::size_t number = 0;

@@ -55,7 +55,7 @@ PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& 
   // a camera's matrix is wrong by a few per cent, except for a raw file from known filters
   if (curved || (raw && !request.moon.response)) errors.mixing_error = 0.03;
   if (as_shot) errors.white_balance_drift = as_shot_drift;
-  if (curved) errors.dark_error = 0.02;  // around CameraColours::lift
+  if (curved) errors.dark_error = 0.02;       // around CameraColours::lift
   if (curved) errors.saturation_error = 0.2;  // JPEG styles scale saturation by 0.8 to 1.3
   if (const auto exposure = exposure_of(photograph, header, errors.exposure_error >= free))
     errors.value_per_cd_m2 =

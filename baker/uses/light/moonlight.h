@@ -50,7 +50,7 @@ struct LightRequest {
   double step_km = 1;               ///< length of the steps along a literal photon's path
   double ring_km = 50;              ///< width of the rings that gather photons
   double smoothing_km = 0;  ///< standard deviation of the Gaussian that smooths photons, 0 to 2000
-  std::uint64_t seed = 1;   ///< of the random numbers for photons
+  std::size_t seed = 1;     ///< of the random numbers for photons
   PhotonFiles photon_files{};
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -25,7 +26,7 @@ struct CameraRequest {
   std::optional<int> sensor_bits{};
   std::optional<std::string> response{};       ///< one of colour::response_names(), or a .csv file
   std::optional<bool> diffraction{}, noise{};  ///< if absent, on
-  std::uint64_t noise_seed = 1;
+  std::size_t noise_seed = 1;
   std::filesystem::path raw{}, photograph{};  ///< files to write; if empty, none
 };
 

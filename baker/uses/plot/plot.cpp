@@ -126,7 +126,9 @@ void write_plot(const std::filesystem::path& file, const Plot& plot) {
                      "set terminal " + format.terminal(plot) + "\n" + script(plot));
   files::write_whole(file, [&](const files::Handle& result) {
     files::run_program(
-        {.words = {"gnuplot", "-d", "plot.gp"}, .package = "gnuplot-nox", .folder = folder.path()},
+        {.words = {files::program_file("gnuplot", {"gnuplot.exe", "gnuplot/bin"}), "-d", "plot.gp"},
+         .package = "gnuplot-nox",
+         .folder = folder.path()},
         &result);
   });
 }
