@@ -42,8 +42,18 @@ const std::vector<double>& Table::operator[](std::string_view column) const {
   return found->second;
 }
 
+std::string_view utf8_text(std::string_view bytes, std::string_view name) {
+  using namespace std::string_view_literals;
+  const auto begin = bytes.substr(0, 2);
+  if (begin == "\xFF\xFE"sv || begin == "\xFE\xFF"sv || begin.find('\0') != begin.npos)
+    throw Error(fmt::format("{}: text in UTF-16, allowed UTF-8", name));
+  if (constexpr auto mark = "\xEF\xBB\xBF"sv; bytes.starts_with(mark))
+    bytes.remove_prefix(mark.size());
+  return bytes;
+}
+
 Table parse_table(std::string_view text, std::string_view name) {
-  const auto lines = lines_of(text);
+  const auto lines = lines_of(utf8_text(text, name));
   if (lines.empty()) throw Error(fmt::format("{}: empty table", name));
   const auto& header = lines.front().cells;
   Table table;

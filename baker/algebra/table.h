@@ -16,6 +16,12 @@ struct Table {
   const std::vector<double>& operator[](std::string_view column) const;
 };
 
+/// The text of a file as editors of any system save it, without a byte-order mark.
+///
+/// Given   name   of the file, for the message
+/// Throws  Error  if the text is in UTF-16
+std::string_view utf8_text(std::string_view bytes, std::string_view name);
+
 /// Reads comma-separated text: lines that begin with `#` are comments, the first other line names
 /// the columns, all further lines are numbers.
 ///

@@ -23,6 +23,13 @@ TEST(ParseTable, SkipsCommentsAndEmptyLinesAnywhere) {
 
 TEST(ParseTable, TakesLineEndsOfBothKinds) {
   EXPECT_EQ(parse_table("x,y\r\n1,2\r\n", "air.csv")["y"], std::vector<double>{2});
+  EXPECT_EQ(parse_table("\xEF\xBB\xBFx,y\r\n1,2", "air.csv")["x"], std::vector<double>{1});
+}
+
+TEST(ParseTable, RefusesUtf16InOneLine) {
+  using namespace std::string_view_literals;
+  for (const auto text : {"\xFF\xFEx\0\n\0"sv, "\xFE\xFF\0x"sv, "x\0\n\0"sv, "\0x"sv})
+    EXPECT_EQ(refusal(text), "air.csv: text in UTF-16, allowed UTF-8");
 }
 
 TEST(ParseTable, NamesFileAndLineOfACellThatIsNoNumber) {
