@@ -39,7 +39,8 @@ void say(std::string_view error) {
 /// Uses the time zones that come with a portable archive of the program if the system has none.
 void find_time_zones() {
   std::error_code failed;
-  if (std::filesystem::exists("/usr/share/zoneinfo", failed)) return;
+  const std::filesystem::path systems = "/usr/share/zoneinfo";
+  if (systems.is_absolute() && std::filesystem::exists(systems, failed)) return;
   const auto own = files::own_program().parent_path() / "../share/zoneinfo";
   if (std::filesystem::exists(own, failed)) files::set_missing_variable("TZDIR", own.string());
 }
@@ -77,7 +78,7 @@ int main(int count, char** words) {
   find_time_zones();
   const int status = run(count, words);
   const bool all_written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
-  if (all_written || status != 0) return status;
+  if (all_written || status != 0) return files::end_program(status);
   say("standard output: cannot be written");
-  return could_not;
+  return files::end_program(could_not);
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "algebra/error.h"
+#include "algebra/table.h"
 #include "colour/camera_spectra.h"
 #include "files/name_to_share.h"
 #include "files/whole_file.h"
@@ -27,7 +28,10 @@ using request::Kind, request::Parameter, request::Recipe, request::Setting, requ
 
 Recipe recipe_of_file(const std::string& path) {
   constexpr std::size_t most_bytes = (1 << 20) + 1;  // one more than recipe_in allows
-  if (!holds_recipe(path)) return request::recipe_in(files::beginning_of(path, most_bytes), path);
+  if (!holds_recipe(path)) {
+    const auto bytes = files::beginning_of(path, most_bytes);
+    return request::recipe_in(std::string(algebra::utf8_text(bytes, path)), path);
+  }
   const auto text = texture::read_attribute(path, "coppermoon:recipe");
   if (!text) throw algebra::Error(fmt::format("{}: has no recipe in its header", path));
   return request::recipe_in(*text, path);
