@@ -22,7 +22,7 @@ export LSAN_OPTIONS="suppressions=$PWD/.cmake/leaks_of_others.txt:print_suppress
 steps="compiled_alone quick_in_release heavy_under_sanitizers races tidy fuzzers libraries_thoroughly program_thoroughly
 extremes_thoroughly films_and_convergence plans_kept plans_kept_with_regions air_recovered stills_recovered
 nights_recovered planted_faults planted_mutations planted_parameter natural_commands other_programs packages measurements
-small_examples full_examples sweep portable"
+small_examples full_examples sweep portable windows wheels macos"
 
 released() { sh examples/build.sh "$1" packages.tests.debian; }
 test_release() { ctest --test-dir build/release --output-on-failure --no-tests=error --parallel "$processors" "$@"; }
@@ -161,6 +161,22 @@ packages() {
 }
 
 portable() { tests/portable.sh; }
+
+# Forty minutes from nothing, where the libraries for Windows are not made yet.
+windows() { tests/windows.sh; }
+
+# For one of three Pythons.
+wheels() {
+  drawn 3
+  if takes 0 3; then tests/wheels.sh bookworm; fi
+  if takes 1 3; then tests/wheels.sh trixie; fi
+  if takes 2 3; then tests/wheels.sh forky; fi
+}
+
+macos() {
+  released coppermoon_program
+  tests/macos.sh
+}
 
 # A fifth of ten thousand random recipes.
 sweep() {

@@ -67,10 +67,10 @@ file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/baker/*.h ${ROOT}/baker/*.cpp $
      ${ROOT}/povray_scenes/*.h ${ROOT}/povray_scenes/*.cpp)
 
 # The operating system belongs to files, and there to the sources that are written for one.
-set(system_headers "<(sys/.*|unistd|fcntl|dlfcn|link|malloc|poll|pwd|spawn|c?signal|termios)(\\.h)?>")
-set(system_names "/proc/|/dev/fd|(^|[^a-z_])(fork|kill|prctl|fopencookie|isatty|dlopen|setenv|mkdtemp|mmap|pid_t)[ (]")
+set(system_headers "<(sys/.*|unistd|fcntl|dlfcn|link|malloc|poll|pwd|spawn|c?signal|termios|windows|io|aclapi|sddl)(\\.h)?>")
+set(system_names "_WIN32|__linux__|__APPLE__|/proc/|/dev/fd|(^|[^a-z_])(fork|kill|prctl|fopencookie|isatty|dlopen|setenv|mkdtemp|mmap|pid_t)[ (]")
 foreach(file ${files})
-  if(NOT file MATCHES "^baker/files/[a-z_]*_posix\\.cpp$")
+  if(NOT file MATCHES "^baker/files/[a-z_]*_(posix|windows)\\.cpp$")
     file(STRINGS ${ROOT}/${file} lines REGEX "^[ \t]*#[ \t]*include[ \t]*${system_headers}|${system_names}")
     foreach(line ${lines})
       string(APPEND wrong "${file}: the operating system: ${line}\n")

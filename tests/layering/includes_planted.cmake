@@ -41,10 +41,11 @@ check_copy_with(baker/uses/picture/moon.cpp "const char* hint = \"see --albedo-m
 check_copy_with(baker/shadow/CMakeLists.txt "coppermoon_stage(shadow NEEDS texture)" found)
 check_copy_with(baker/uses/light/CMakeLists.txt "coppermoon_stage(light NEEDS picture)" found)
 foreach(line "#include <unistd.h>" "#  include <sys/stat.h>" "#include <csignal>" "const int id = ::fork()\;"
-             "const char* name = \"/proc/self/exe\"\;" "bool seen() { return isatty(2)\; }")
+             "const char* name = \"/proc/self/exe\"\;" "bool seen() { return isatty(2)\; }" "#include <windows.h>" "#ifdef _WIN32")
   check_copy_with(baker/coppermoon.cpp "${line}" found)
   check_copy_with(baker/files/handle.h "${line}" found)
   check_copy_with(baker/files/handle_posix.cpp "${line}" sound)
+  check_copy_with(baker/files/handle_windows.cpp "${line}" sound)
 endforeach()
 check_copy_with(baker/verbs/still.cpp "#include \"colour/exposure.h\"" sound)
 check_copy_with(baker/verbs/still.cpp "#include \"uses/compare/comparison.h\"" sound)
