@@ -48,7 +48,7 @@ both almanac 2026 --json
 both almanac --from 2020-01-01 --to 2030-01-01 -o almanac.csv
 both brightness $when --at Nairobi --quality draft --json
 both dome $when --at Nairobi --width 128 --quality draft -o dome.exr
-both ring $when -o ring.exr
+both ring $when --on Tycho -o ring.exr
 both develop moon.exr --time 1 -o developed.png
 both explore 2018-07-27 --at Nairobi -o explore.html
 both plan $when --quality draft --json

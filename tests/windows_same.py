@@ -31,7 +31,9 @@ def image(path):
 
 
 def numbers(path):
-    text = re.sub(r'(?m)^.*("seconds"|DTSTAMP|made in|frames made|as coppermoon wrote it).*$', "", path.read_text("utf-8"))  # of the clock
+    # of the clock, of the order of threads, and of the rest of the text
+    others = r'"seconds"|DTSTAMP|made in|frames made| of [0-9]+: frame|as coppermoon wrote it'
+    text = re.sub(f"(?m)^.*({others}).*$", "", path.read_text("utf-8"))
     text = text.replace("- ", "+ -")  # terms of a sum, whose signs may change where they are nearly 0
     return NUMBER.sub("#", text), numpy.array([float(n) for n in NUMBER.findall(text)])
 
