@@ -79,7 +79,7 @@ grep -v '^#' packages.windows | while read -r name archive sum switches; do
   echo "== $name"
   file=$work/${archive##*/}
   echo "$sum  $file" | sha256sum --check --status 2>/dev/null ||
-    /usr/lib/apt/apt-helper -q download-file "${mirror%/}/pool/main/$archive" "$file" "SHA256:$sum" >/dev/null
+    /usr/lib/apt/apt-helper -q -o APT::Sandbox::User=root download-file "${mirror%/}/pool/main/$archive" "$file" "SHA256:$sum" >/dev/null
   rm -rf "${work:?}/$name"
   mkdir "$work/$name"
   tar -xf "$file" -C "$work/$name" --strip-components 1
