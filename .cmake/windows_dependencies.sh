@@ -48,8 +48,8 @@ made() {
   zlib) by_hand z "$(echo *.c)" "zlib.h zconf.h" "" "" ;;
   lcms2) by_hand lcms2 "$(echo src/*.c)" "include/lcms2.h include/lcms2_plugin.h" -Iinclude "" ;;
   pystring) mkdir pystring && cp pystring.h pystring && by_hand pystring pystring.cpp pystring "" "" ;;
-  erfa) by_hand erfa "$(ls src/*.c | grep -v /t_erfa)" "src/erfa.h src/erfam.h src/erfaextra.h" "-DPACKAGE_VERSION=\"$version\"" "" ;;
-  libnova) by_hand nova "$(echo src/*.c)" src/libnova -Isrc "" ;;
+  erfa) by_hand erfa "$(ls src/*.c | grep -vE "/(t_erfa|erfaversion)")" "src/erfa.h src/erfam.h" "" "" ;;
+  libnova) by_hand nova "$(ls src/*.c | grep -v julian_day)" src/libnova -Isrc "" ;;
   libxxhash) by_hand xxhash xxhash.c xxhash.h "" "" ;;
   libraw)
     by_hand raw "$(find src -name '*.cpp' | grep -v _ph.cpp)" libraw "-I. -DLIBRAW_NODLL -DUSE_ZLIB -DUSE_JPEG -DUSE_JPEG8" \

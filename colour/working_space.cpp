@@ -99,8 +99,8 @@ std::size_t find_word(std::string_view text, std::string_view word) {
   const auto same = [](unsigned char a, unsigned char b) {
     return std::tolower(a) == std::tolower(b);
   };
-  const auto found = std::ranges::search(text, word, same);
-  return found.empty() ? text.npos : static_cast<std::size_t>(found.begin() - text.begin());
+  const auto found = std::search(text.begin(), text.end(), word.begin(), word.end(), same);
+  return found == text.end() ? text.npos : static_cast<std::size_t>(found - text.begin());
 }
 
 }  // namespace

@@ -160,11 +160,11 @@ void start(RunningProgram& running, const Program& program, const Streams& strea
   if (!::InitializeProcThreadAttributeList(how.lpAttributeList, 1, 0, &size) ||
       !::UpdateProcThreadAttribute(how.lpAttributeList, 0, PROC_THREAD_ATTRIBUTE_HANDLE_LIST,
                                    handles.data(), sizeof handles, nullptr, nullptr) ||
-      !::CreateProcessW(file.c_str(), line.data(), nullptr, nullptr, TRUE,
-                        (program.outlives_us ? 0 : CREATE_SUSPENDED) | CREATE_NO_WINDOW |
-                            CREATE_NEW_PROCESS_GROUP | CREATE_UNICODE_ENVIRONMENT |
-                            EXTENDED_STARTUPINFO_PRESENT,
-                        variables.data(), program.folder.c_str(), &how.StartupInfo, &made))
+      !::CreateProcessW(
+          file.c_str(), line.data(), nullptr, nullptr, TRUE,
+          (program.outlives_us ? DETACHED_PROCESS : CREATE_SUSPENDED | CREATE_NO_WINDOW) |
+              CREATE_NEW_PROCESS_GROUP | CREATE_UNICODE_ENVIRONMENT | EXTENDED_STARTUPINFO_PRESENT,
+          variables.data(), program.folder.c_str(), &how.StartupInfo, &made))
     throw Error(fmt::format("{}: cannot be run: {}", program.words[0], last_error().message()));
   const auto thread = owned(made.hThread);
   running.id = reinterpret_cast<std::intptr_t>(made.hProcess);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What POSIX lacks: linux_posix.cpp and macos_posix.cpp do it each in the way of their system.
+// What POSIX lacks; linux_posix.cpp and macos_posix.cpp each implement it for their own system.
 #pragma once
 #include <cstdio>
 #include <filesystem>
@@ -30,7 +30,7 @@ bool has_closed(const Handle& watch, const std::string& file);
 /// Makes a file without a name in a folder; an empty handle if the system cannot.
 Handle nameless_file(const std::filesystem::path& folder);
 
-/// Writes to stderr; what nobody hears counts as written.
+/// Writes to stderr. If nothing reads stderr, the words are dropped and count as written.
 std::size_t say_or_lose(const char* words, std::size_t size);
 
 /// A stream whose words go to say_or_lose; nullptr if the system cannot make one.

@@ -4,7 +4,7 @@ cmake_minimum_required(VERSION 3.25)
 # them, as pictures, is no file of the project's: git tells which are.
 #   cmake -DROOT=<source folder> -P top_level.cmake
 set(listed CHANGELOG.md CMakeLists.txt CMakePresets.json CONTRIBUTING.md LICENSE README.md packages.debian
-    packages.hand_off.debian packages.hand_off.pypi packages.tests.debian
+    packages.hand_off.debian packages.hand_off.pypi packages.tests.debian packages.windows packages.windows.debian
     baker colour docs examples povray_scenes tests)
 execute_process(COMMAND git -c safe.directory=* ls-files WORKING_DIRECTORY ${ROOT} RESULT_VARIABLE no_git OUTPUT_VARIABLE files
                 ERROR_QUIET)

@@ -122,7 +122,7 @@ void add_stars(texture::Image& image, const Directions& all, const View& view,
       add_point(image, all, star.place, star.illuminance_lux);
 }
 
-/// Adds the Moon's disc as many equally bright points, leaving out points below the horizon.
+/// Adds the Moon's disc in the form of many points of equal brightness, leaving out points below the horizon.
 void add_moon(texture::Image& image, const Directions& all, const MoonOver& moon,
               algebra::Angle radius) {
   constexpr int points = 1 << 16;

@@ -18,7 +18,7 @@ namespace coppermoon::uses {
 /// How a map's numbers encode normal albedo, up to a factor.
 enum class AlbedoEncoding {
   image,              ///< as light, in the coding that the image file states
-  normal_albedo,      ///< directly, whatever coding the file states
+  normal_albedo,      ///< values are used as they are, whatever coding the file states
   cgi_moon_kit_2019,  ///< NASA's CGI Moon Kit of 2019: see surface::kit_2019_albedo
   cgi_moon_kit_2025,  ///< sRGB's curve applied to I/F at 60 degrees of phase
 };

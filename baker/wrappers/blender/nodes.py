@@ -7,7 +7,7 @@ def add(tree, kind, inputs=(), at=(0, 0), **settings):
     """Adds a node to a tree.
 
     Given  kind    type of the node, without "ShaderNode"
-           inputs  sockets to link to or values, by the input's name or number
+           inputs  for each input, by name or number: a socket to link to it, or a value
     """
     node = tree.nodes.new(kind if kind.startswith("NodeGroup") else f"ShaderNode{kind}")
     node.location = at

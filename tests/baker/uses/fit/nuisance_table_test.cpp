@@ -146,17 +146,22 @@ TEST(NuisanceTable, BalancesRedPhotographsTowardsBlueTogether) {
 TEST(NuisanceTable, LiftsDarkChannelsByAShareOfTheBrightest) {
   const RedNight red(camera_colours("canon-eos-600d", {}));
   const auto table = nuisances_of(red.photographs, red.night);
-  const auto& row = row_of(table, "dark channels");
-  EXPECT_EQ(row.shared_by, SharedBy::photograph);
+  const auto &row = row_of(table, "dark channels"), &own = row_of(table, "own dark channels");
+  EXPECT_EQ(row.shared_by, SharedBy::night);
+  EXPECT_EQ(own.shared_by, SharedBy::photograph);
   EXPECT_EQ(row.count, 3);
+  EXPECT_EQ(own.count, 3);
   for (const auto& measurement : measurements_of(1)) {
     const auto light = red.photographs[0].light.values.row(measurement.bin);
     const double lit = light[measurement.channel], lifted = step * light[0];
     EXPECT_EQ(row.prior(measurement), 0.02);
-    for (std::size_t n = 0; n < 3; ++n)
+    EXPECT_EQ(own.prior(measurement), 0.01);
+    for (std::size_t n = 0; n < 3; ++n) {
       EXPECT_WITHIN(row.derivative(measurement, n),
                     n == measurement.channel ? slope_between(lit + lifted, lit - lifted) : 0, 1e-4,
                     "the step squared over light of a tenth, cubed");
+      EXPECT_EQ(own.derivative(measurement, n), row.derivative(measurement, n));
+    }
   }
 }
 
