@@ -18,9 +18,8 @@ inline constexpr const char* frame_stem = "frame";
 /// The Moon in a series of frames, each with its own camera and texture.
 struct Sequence {
   std::vector<SceneCamera> cameras;  ///< one a frame, all of the same width, height and field
-  std::string
-      textures;        ///< part of the textures' file names before the frame's number; plain ASCII
-  bool alpha = false;  ///< as in MoonScene
+  std::string textures;         ///< the textures' file names up to the frame's number; plain ASCII
+  bool alpha = false;           ///< as in MoonScene
   std::size_t first_frame = 1;  ///< number of the first frame and its texture
 
   std::size_t last_frame() const { return first_frame + cameras.size() - 1; }
