@@ -73,7 +73,7 @@ int main(int count, char** words) {
   files::keep_freed_memory();
   files::prepare_standard_streams();
   std::set_terminate(end_at_once);
-  // OpenImageIO loads OpenBLAS, whose threads are not needed, and which hangs if memory is short
+  // OpenImageIO loads OpenBLAS. Its threads are not needed, and starting them hangs if memory is short.
   files::set_missing_variable("OPENBLAS_NUM_THREADS", "1");
   find_time_zones();
   const int status = run(count, words);

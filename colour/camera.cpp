@@ -79,13 +79,13 @@ double light_passed(const CameraOptics& optics) {
   return pi / 4 * optics.transmission * (1 - optics.obstruction * optics.obstruction);
 }
 
-/// Electrons that a pixel collects per lux second.
+/// Electrons that a pixel collects per lux second of exposure.
 double electrons_per_lx_s(const Sensor& sensor) {
   const double side_m = sensor.pixel_um * 1e-6;
   return sensor.quantum_efficiency * photons_per_lm_s * side_m * side_m;
 }
 
-/// Number of electrons that fills the converter's range, whatever the full-well capacity.
+/// Number of electrons at which the converter's range is full, regardless of the full-well capacity.
 double saturation_e(const Sensor& sensor, double iso) {
   exposure_scale({.iso = iso});  // throws if the ISO speed is out of range
   return electrons_per_lx_s(sensor) * saturation_exposure_lx_s / iso;

@@ -27,7 +27,7 @@ constexpr const char* ending = ".csv";
 constexpr std::string_view of_red = "_r";
 const std::array<std::string, 3> channel_columns{"r", "g", "b"};
 
-/// Edges of 400 bands, each 1 nm wide, in which spectra are multiplied.
+/// Edges of the 400 bands, each 1 nm wide, over which products of spectra are summed.
 std::vector<double> edges_nm() {
   std::vector<double> edges(401);
   std::iota(edges.begin(), edges.end(), 380.);
@@ -38,7 +38,7 @@ double product(std::span<const double> one, std::span<const double> other) {
   return std::inner_product(one.begin(), one.end(), other.begin(), 0.);
 }
 
-/// Signals of three channels with given sensitivity curves for a light spectrum, both in 1 nm bands.
+/// Signals of three channels, given their sensitivity curves and the spectrum of the light, all in 1 nm bands.
 glm::dvec3 signals(const algebra::Grid<double>& curves, std::span<const double> spectrum) {
   return {product(curves.row(0), spectrum), product(curves.row(1), spectrum),
           product(curves.row(2), spectrum)};
@@ -58,7 +58,7 @@ algebra::Grid<double> lit_patches() {
   return lit;
 }
 
-/// Colours of the patches: XYZ divided by the Y of white for the CIE observer, white-balanced signals for the camera.
+/// Colours of the patches: for the CIE observer, XYZ / Y of white; for the camera, white-balanced signals.
 struct Seen {
   std::vector<glm::dvec3> xyz, balanced;  ///< the first patch is white
 };
@@ -100,7 +100,7 @@ void fit(CameraSpectra& camera, const std::string& name) {
   glm::dmat3 rows;
   for (int row = 0; row < 3; ++row) rows[row] = fitted_row(seen, row);
   camera.xyz_from_balanced = glm::transpose(rows);
-  constexpr double alike = 1e-4;  // determinants of real cameras are 0.3 to 0.6
+  constexpr double alike = 1e-4;  // the matrices of real cameras have determinants of 0.3 to 0.6
   const double determinant = glm::determinant(camera.xyz_from_balanced);
   double most = 0;
   for (int i = 0; i < 9; ++i)
@@ -110,7 +110,7 @@ void fit(CameraSpectra& camera, const std::string& name) {
         "{}: columns r, g and b tell no colours, allowed three curves that differ", name));
   const auto to_d65 =
       (glm::inverse(channels_from_xyz(WorkingSpace::linear_rec709)) * glm::dvec3(1)) /
-      seen.xyz.front();  // each component is within 2e-4 of 1
+      seen.xyz.front();  // each component of the quotient is within 2e-4 of 1
   for (std::size_t i = 1; i < seen.xyz.size(); ++i) {
     const double error =
         delta_e_2000(lab_from_xyz(to_d65 * seen.xyz[i]),
@@ -120,7 +120,7 @@ void fit(CameraSpectra& camera, const std::string& name) {
   }
 }
 
-/// Refuses columns that cannot be spectral sensitivities.
+/// Refuses a table whose columns cannot be spectral sensitivities.
 void require_sound(const algebra::Table& table, const std::string& file) {
   for (const auto* column : {"wavelength_nm", "r", "g", "b"})
     if (!table.columns.contains(column))

@@ -18,7 +18,7 @@ namespace coppermoon::colour {
 struct CameraSpectra {
   algebra::Table table;   ///< columns wavelength_nm, r, g, b; sensitivities on any scale
   glm::dvec3 daylight{};  ///< signals from a white surface under D65, in the table's unit × nm
-  glm::dmat3 xyz_from_balanced{1};  ///< maps signals / `daylight` to XYZ; white has Y = 1
+  glm::dmat3 xyz_from_balanced{1};  ///< maps signals divided by `daylight` to XYZ; white has Y = 1
   double mean_delta_e = 0,
          most_delta_e = 0;  ///< mean and largest CIEDE2000 error over the patches used in the fit
 };
@@ -26,8 +26,8 @@ struct CameraSpectra {
 /// Names of the cameras in data/camera_spectra.csv: canon-eos-600d, nikon-d850, sony-ilce-7m3, …
 const std::vector<std::string>& camera_spectra_names();
 
-/// Entry of camera_spectra_names for a camera as a photograph's header names it, such as "NIKON CORPORATION NIKON D850"
-/// or "ILCE-7M3". Returns nothing for other cameras.
+/// Name of a camera in camera_spectra_names, given its name in a photograph's header, such as "NIKON CORPORATION NIKON
+/// D850" or "ILCE-7M3". Returns nothing if that list does not have the camera.
 std::optional<std::string> spectral_camera_of(std::string_view name_in_header);
 
 /// Whether a response is spectral: one of camera_spectra_names, or a file whose name ends in .csv.
@@ -36,14 +36,14 @@ bool is_spectral(std::string_view response);
 /// Spectral sensitivities of a camera, and the matrix that turns its channels into colours.
 ///
 /// The matrix from white-balanced channels to XYZ is fitted by least squares to the 24 patches of a ColorChecker under
-/// D65, keeping white as white. Raw converters use matrices of this kind.
+/// D65, with the condition that white stays white. Raw converters use matrices of this kind.
 ///
 /// Given     response  one of camera_spectra_names, or a .csv file with 10 to 100000 rows and the columns wavelength_nm
-///                     (increasing), r, g and b (0 or more). Only 380 to 780 nm count
-/// Accuracy  CIEDE2000 over the patches: mean 0.6 to 1.4, largest 1.9 to 4.3
+///                     (increasing), r, g and b (0 or more). Only wavelengths from 380 to 780 nm are used
+/// Accuracy  CIEDE2000 errors over the patches, by camera: mean 0.6 to 1.4, largest 1.9 to 4.3
 /// Omits     differences between specimens of a camera, and between lenses
 /// Throws    Error     for any other name, listing the valid ones; for a file that is not such a table; for channels
-///                     that see nothing, or are too alike to tell colours apart
+///                     that are insensitive to light, or too alike to tell colours apart
 /// Source    rawtoaces-data of the Academy Software Foundation; ColorChecker: N. Ohta (1997)
 CameraSpectra camera_spectra(const std::string& response);
 
@@ -52,9 +52,9 @@ CameraSpectra camera_spectra(const std::string& response);
 /// Throws  Error  as for camera_spectra
 void require_spectral(const std::string& response);
 
-/// Weights that turn band means of a spectral radiance into the XYZ that a camera's matrix makes from its channels. D65
-/// gets the same XYZ as for the CIE 1931 observer. If the camera's curves are linear combinations of that observer's,
-/// all weights are the same as for that observer.
+/// Weights that turn band means of a spectral radiance into XYZ by way of a camera's channels and its colour matrix.
+/// For D65, XYZ is the same as for the CIE 1931 observer. If the camera's curves are linear combinations of the
+/// observer's curves, all weights are the same as the observer's.
 ///
 /// Given     edges_nm  as in xyz_weights
 /// Returned  [X Y Z][band], cd/m² per W m⁻² sr⁻¹ nm⁻¹; some are negative

@@ -25,9 +25,9 @@ inline constexpr double luminous_efficacy_lm_per_W = 683;
 /// Source    CIE 15: the colour-matching functions every 1 nm, interpolated linearly
 algebra::Grid<double> xyz_weights(std::span<const double> edges_nm);
 
-/// Integrals of a table's columns over wavelength bands. Columns are linear between rows, and 0 outside the table.
+/// Integrals of a table's columns over wavelength bands. Values are linear between rows, and 0 outside the table.
 ///
-/// Given     table     has a column wavelength_nm, which increases
+/// Given     table     has a column wavelength_nm, in increasing order
 ///           edges_nm  as in xyz_weights
 /// Returned  [column][band]
 /// Throws    Error     as for xyz_weights; also when a column is missing

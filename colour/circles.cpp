@@ -20,7 +20,7 @@ using Picture = algebra::Grid<float>;
 
 constexpr double least_circle_px = 5;
 
-/// Maps light to an asinh scale: linear up to a share of the range from sky to brightest pixel, logarithmic above.
+/// Maps light to an asinh scale: linear up to `floor_share` of the range from the sky to the maximum, then logarithmic.
 Picture toned(Picture image, double floor_share) {
   const double sky = quantile<float>({image.values().begin(), image.values().end()}, 0.2),
                range = *std::ranges::max_element(image.values()) - sky;
@@ -55,7 +55,7 @@ glm::dvec2 slope(const Picture& image, std::size_t r, std::size_t c) {
   return {0.5 * (image(r, c + 1) - image(r, c - 1)), 0.5 * (image(r + 1, c) - image(r - 1, c))};
 }
 
-/// Finds edge pixels, at which the gradient is greatest along its own direction and steep for the picture.
+/// Finds edge pixels: there the gradient has a maximum along its own direction, and is steep compared with all others.
 std::vector<Edge> edges_of(const Picture& image) {
   constexpr double of_steepest = 0.1, of_median = 3.5;
   Picture steepness(image.rows(), image.columns());
@@ -101,7 +101,7 @@ bool lies_on(const Edge& edge, const Disc& disc) {
          -glm::dot(outward, edge.inward) > least_cosine * away;
 }
 
-/// Number of a circle's 72 sectors of five degrees in which an edge lies on the circle.
+/// Number of a circle's five-degree sectors, 72 in all, in which an edge lies on the circle.
 std::size_t covered(const std::vector<Edge>& edges, const Disc& disc) {
   constexpr std::size_t steps = 72;
   std::bitset<steps> has;
@@ -114,7 +114,7 @@ std::size_t covered(const std::vector<Edge>& edges, const Disc& disc) {
   return has.count();
 }
 
-/// Of many circles drawn through three random edges, the one that has edges along most of its length (RANSAC).
+/// The best of many circles through three random edges: the one with edges along most of its length (RANSAC).
 std::optional<Disc> voted(const std::vector<Edge>& edges, double most_radius_px) {
   constexpr int ballots = 20000, counts = 600;
   if (edges.size() < 12) return std::nullopt;

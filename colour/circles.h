@@ -8,8 +8,8 @@
 
 namespace coppermoon::colour {
 
-/// Finds circles in a small picture along which many edges lie and light falls outward. It looks for one circle under
-/// each of four tone curves, which range from one that shows the dimmest limb to one that shows only the brightest.
+/// Finds circles in a small picture along which there are many edges and light decreases outward. It looks for one
+/// circle with each of four tone curves, from one that shows the dimmest limb to one that shows only the brightest.
 ///
 /// Given     image  a few hundred pixels on each side; values on any scale
 /// Returned  up to four circles, accurate to 1.5 pixels, with radii of 5 pixels or more; in no particular order

@@ -28,7 +28,7 @@ void require_regular(const fs::path& path) {
     throw Error(fmt::format("{}: cannot be read: it is no regular file", path.string()));
 }
 
-/// Throws  Error  for too many YAML aliases ("*name"); text in quotes that looks like an alias may count too
+/// Throws  Error  for too many YAML aliases ("*name"). Quoted text that looks like an alias may be counted, too.
 void require_few_aliases(const fs::path& config) {
   constexpr std::ptrdiff_t most = 16;
   static const std::regex comment("\\s*#.*"), alias("(^|[\\s,:\\[{-])\\*[A-Za-z0-9]");
@@ -42,7 +42,7 @@ void require_few_aliases(const fs::path& config) {
         fmt::format("{}: {} aliases of YAML, allowed to {}", config.string(), aliases, most));
 }
 
-/// Throws  Error  for a CTF look-up table that names another file
+/// Throws  Error  for a CTF look-up table that refers to another file
 void require_no_reference(const fs::path& table) {
   constexpr std::size_t head = 16384;  // OpenColorIO looks for the mark of a CTF in the first 5 kB
   std::ifstream file(table, std::ios::binary);
@@ -174,8 +174,8 @@ class Walk {
     return sum;
   }
 
-  /// Number of transforms in the conversion from one space through looks to another. The default view transform counts
-  /// too if some of the spaces are scene-referred and others display-referred.
+  /// Number of transforms in the conversion from one colour space through looks to another. The default view transform
+  /// is included if some of the spaces are scene-referred and others display-referred.
   double between(const std::string& from, const std::string& to, const std::string& looks = {}) {
     std::set<std::string> spaces{from, to};
     const double sum = space(from) + space(to) + looks_in(looks, &spaces);

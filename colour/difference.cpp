@@ -26,7 +26,7 @@ double decoded(float coded) {
   return srgb_light(coded);
 }
 
-/// Rises with chroma C from 0 for greys to 1 for vivid colours: √(C⁷ / (C⁷ + 25⁷)).
+/// Vividness of a colour with chroma C, √(C⁷ / (C⁷ + 25⁷)): 0 for greys, near 1 for vivid colours.
 double vividness(double chroma) {
   const double power = std::pow(chroma, 7);
   return std::sqrt(power / (power + std::pow(25., 7)));
@@ -35,7 +35,7 @@ double vividness(double chroma) {
 /// A colour after CIEDE2000 has stretched its a* axis: L', C' and h' in Sharma et al. (2005).
 struct Stretched {
   double L, a, b, chroma;
-  double hue;  ///< 0 to 2π; 0 for a grey
+  double hue;  ///< 0 to 2π [rad]; 0 for a grey
 };
 
 Stretched stretched(const Lab& colour, double stretch) {
@@ -43,7 +43,7 @@ Stretched stretched(const Lab& colour, double stretch) {
   return {colour.L, a, colour.b, std::hypot(a, colour.b), hue < 0 ? hue + full_turn : hue};
 }
 
-/// Signed angle from one hue to another, the shorter way round. Between opposite hues it does not pass through 0.
+/// Signed angle from one hue to another, the shorter way round. Between opposite hues, the way that avoids 0 is taken.
 double hue_turn(const Stretched& one, const Stretched& other) {
   const double across = one.a * other.b - other.a * one.b,
                along = one.a * other.a + one.b * other.b;
@@ -64,13 +64,13 @@ double hue_weight(double hue) {
          0.32 * std::cos(3 * hue + radians(6)) - 0.20 * std::cos(4 * hue - radians(63));
 }
 
-/// R_T in Sharma et al. (2005): interaction of chroma and hue in blues.
+/// R_T in Sharma et al. (2005): interaction of chroma and hue differences in blues.
 double blue_rotation(double chroma, double hue) {
   const double from_blue = (hue - radians(275)) / radians(25);
   return -2 * vividness(chroma) * std::sin(radians(60) * std::exp(-from_blue * from_blue));
 }
 
-/// S_L in Sharma et al. (2005): the lightness difference is divided by it.
+/// S_L in Sharma et al. (2005): divisor of the lightness difference.
 double lightness_weight(double L) {
   const double squared = (L - 50) * (L - 50);
   return 1 + 0.015 * squared / std::sqrt(20 + squared);

@@ -13,14 +13,14 @@ namespace {
 
 using Values = algebra::Grid<float>;
 
-constexpr double beside = 1.12, margin = 1.3;  // in radii of the disc; grids reach to `margin`
+constexpr double beside = 1.12, margin = 1.3;  // [disc radii]; grids extend to `margin`
 
 double away_from(double x_px, double y_px, std::size_t row, std::size_t column) {
   return std::hypot(static_cast<double>(column) + 0.5 - x_px,
                     static_cast<double>(row) + 0.5 - y_px);
 }
 
-/// Values in a ring around a disc's centre, with both radii given as multiples of the disc's radius.
+/// Values of the pixels in a ring around a disc's centre. Both radii are multiples of the disc's radius.
 std::vector<float> values_between(const Values& picture, const Disc& disc, double inner,
                                   double outer) {
   const double reach = outer * disc.radius_px;
@@ -39,7 +39,7 @@ std::vector<float> values_between(const Values& picture, const Disc& disc, doubl
   return values;
 }
 
-/// Replaces each pixel in a line by the mean over 2 reach + 1 pixels. Beyond its ends, the line counts as 0.
+/// Replaces each pixel in a line by the mean over 2 reach + 1 pixels. Pixels beyond the line's ends count as 0.
 void blur_line(std::span<float> line, std::size_t stride, std::size_t reach) {
   const std::size_t n = (line.size() + stride - 1) / stride;
   std::vector<double> sums(n + 1);
@@ -51,7 +51,7 @@ void blur_line(std::span<float> line, std::size_t stride, std::size_t reach) {
   }
 }
 
-/// Blurs a grid by three box means along both axes, together nearly a Gaussian of σ² = reach (reach + 1).
+/// Blurs a grid with three box filters along each axis, which together are nearly a Gaussian of σ² = reach (reach + 1).
 Values blurred(Values grid, std::size_t reach) {
   for (int pass = 0; pass < 3; ++pass) {
     for (std::size_t r = 0; r < grid.rows(); ++r) blur_line(grid.row(r), 1, reach);
@@ -61,7 +61,7 @@ Values blurred(Values grid, std::size_t reach) {
   return grid;
 }
 
-/// Makes a grid that is 1 where a test of row and column is true, else 0.
+/// Makes a grid, as large as `like`, that is 1 at pixels whose row and column pass a test, else 0.
 template <class PixelTest>
 Values where(const Values& like, const PixelTest& so) {
   Values grid(like.rows(), like.columns());
@@ -70,7 +70,7 @@ Values where(const Values& like, const PixelTest& so) {
   return grid;
 }
 
-/// Local mean of light, weighted by `counts`.
+/// Mean of the light around each pixel, weighted by `counts`.
 Values mean_nearby(const Values& light, const Values& counts, std::size_t reach) {
   Values weighted = light;
   for (std::size_t i = 0; i < light.values().size(); ++i)
@@ -88,7 +88,7 @@ double noise_of(const Values& light, const Disc& disc) {
   for (std::size_t r = 1; r < light.rows(); ++r)
     for (std::size_t c = 1; c < light.columns(); ++c)
       rough(r, c) = std::abs(light(r, c) - light(r - 1, c - 1));
-  constexpr double sigma_of_median = 1.0484;  // a pixel's σ / median |difference| of two
+  constexpr double sigma_of_median = 1.0484;  // σ of a pixel / median |difference of two pixels|
   return sigma_of_median * double{quantile(values_between(rough, disc, beside, margin), 0.5)};
 }
 
@@ -99,8 +99,8 @@ float brightest_of(const Values& picture, const Disc& disc, double share) {
 /// A picture with the disc in the middle of the grid and the light of the sky subtracted.
 struct Centred {
   Disc disc;
-  Values light, usable;  ///< usable: 1 inside the picture, else 0
-  float too_bright;      ///< light at which pixels are clipped
+  Values light, usable;  ///< `usable` is 1 inside the picture, else 0
+  float too_bright;      ///< light level at which pixels are clipped
 };
 
 Centred centred(const Values& picture, const Disc& disc, const Similarity& to_grid,
@@ -119,7 +119,7 @@ Centred centred(const Values& picture, const Disc& disc, const Similarity& to_gr
           cap - sky};
 }
 
-/// A grid that is 1 at clipped pixels and their neighbours.
+/// A grid that is above 0 at clipped pixels and their neighbours, else 0.
 Values clipped_in(const Centred& picture) {
   return blurred(where(picture.light,
                        [&](std::size_t r, std::size_t c) {
@@ -128,9 +128,9 @@ Values clipped_in(const Centred& picture) {
                  1);
 }
 
-/// Weights: 0 beyond the picture, at a clipped limb (because blur moves it outward), and, if `deeply`, where clipped.
+/// Weights: 0 outside the picture, at a clipped limb (blur moves it outward) and, if `deeply`, at any clipped pixel.
 Values weights_of(const Centred& picture, bool deeply) {
-  constexpr double inner = 0.92;  // share of the disc's radius
+  constexpr double inner = 0.92;  // as a share of the disc's radius
   const auto& disc = picture.disc;
   const auto clipped = clipped_in(picture);
   return where(picture.light, [&](std::size_t r, std::size_t c) {
@@ -140,9 +140,9 @@ Values weights_of(const Centred& picture, bool deeply) {
   });
 }
 
-/// Local mean of the light on the disc. If the disc is deeply clipped, only pixels with a weight above 0 count.
+/// Mean of the light around each pixel of the disc. If `deeply`, only pixels with a weight above 0 count.
 Values light_nearby(const Centred& picture, const Values& weights, bool deeply) {
-  constexpr double edge = 0.97, reach = 0.25;  // shares of the disc's radius
+  constexpr double edge = 0.97, reach = 0.25;  // as shares of the disc's radius
   const auto& disc = picture.disc;
   const auto& counts = deeply ? weights : picture.usable;
   const auto on_disc = where(picture.light, [&](std::size_t r, std::size_t c) {

@@ -10,32 +10,32 @@ namespace coppermoon::colour {
 /// Local contrast on a disc: the ratio of light to its local mean, minus 1.
 struct DiscFeatures {
   algebra::Grid<float> contrast;  ///< −1 beyond the limb
-  algebra::Grid<float> weight;    ///< 0 to 1; 0 where the picture carries no information
-  Similarity from_picture;        ///< maps the picture to these grids; both have the disc centred
-  double floor;                   ///< noise floor, relative to the disc's 99th percentile
+  algebra::Grid<float> weight;    ///< 0 to 1; 0 at pixels that carry no information
+  Similarity from_picture;        ///< maps the picture to these grids, which have the disc centred
+  double floor;                   ///< noise floor / 99th percentile of the disc's light
 };
 
 /// Range of light that a picture resolves.
 struct TonalRange {
   double clipped = 0;   ///< share of the disc that is saturated
-  double floor = 0;     ///< noise floor, as in DiscFeatures
+  double floor = 0;     ///< relative noise floor, as in DiscFeatures
   bool deeply = false;  ///< whether the saturated area ends at a shadow's edge (see is_deep)
 };
 
 /// Saturated share of a disc: the share of its pixels that are within 1 % of the picture's largest value.
 double clipped_share(const algebra::Grid<float>& picture, const Disc& disc);
 
-/// Whether the disc's brightest hundredth is more than four times as bright as the level at which the share `clipped`
-/// saturates. If so, the edge of the clipped area shows exposure and air, not markings on the Moon.
+/// Whether the disc's brightest hundredth is more than four times as bright as the level that the share `clipped` of
+/// its pixels exceeds. If so, the edge of the clipped area depends on exposure and air, not on the Moon's markings.
 ///
-/// Given  picture  itself not clipped
-///        clipped  share of the disc's pixels that saturate
+/// Given  picture  picture that is not clipped itself
+///        clipped  share of the disc's pixels that are saturated in another picture of it
 bool is_deep(const algebra::Grid<float>& picture, const Disc& disc, double clipped);
 
 /// Local contrast of a disc, scaled to a given radius.
 ///
-/// Given  radius_px  at most the disc's own radius
-///        range      no wider than the range that the picture resolves
+/// Given  radius_px  radius of the disc in the result, at most the disc's own radius
+///        range      tonal range of the result, no wider than the range that the picture resolves
 DiscFeatures features_of(const algebra::Grid<float>& picture, const Disc& disc, double radius_px,
                          const TonalRange& range);
 

@@ -83,7 +83,7 @@ const std::pair<std::string, std::vector<std::string>> common_names[] = {
     {"ACES2065-1", {"ACES - ACES2065-1"}},
     {"lin_ciexyzd65_scene", {}}};
 
-/// Names by which another configuration may know our spaces: aliases, then common names; `space` first in each.
+/// Names by which other configurations may know our spaces: aliases, then common names, with those of `space` first.
 std::vector<Bridge> known_names(std::string_view space) {
   std::vector<Bridge> all, common;
   for (const bool own : {true, false})
@@ -99,8 +99,8 @@ std::vector<Bridge> known_names(std::string_view space) {
   return all;
 }
 
-/// The colour space that connects one of ours with another configuration, found as described for `developed`. "Linear"
-/// comes last, because a configuration may use that name for ACEScg.
+/// The colour space through which `space` is converted to another configuration, found as described for `developed`.
+/// "Linear" is tried last, because a configuration may use that name for ACEScg.
 Bridge bridge_to(const ocio::Config& config, const std::string& space) {
   const auto of_scene = [&](const std::string& name) {
     const auto found = config.getColorSpace(name.c_str());
@@ -180,7 +180,7 @@ std::filesystem::path config_for(const std::string& view, const std::string& dis
 
 std::vector<std::string> displays(const std::filesystem::path& path) {
   const auto config = config_at(path);
-  const bool all = path.empty();  // even those not in OCIO_ACTIVE_DISPLAYS
+  const bool all = path.empty();  // includes those not in OCIO_ACTIVE_DISPLAYS
   std::vector<std::string> names;
   for (int i = 0; i < (all ? config->getNumDisplaysAll() : config->getNumDisplays()); ++i)
     names.emplace_back(all ? config->getDisplayAll(i) : config->getDisplay(i));

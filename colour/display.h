@@ -28,12 +28,12 @@ struct DisplayTransform {
 /// Transforms a scene-linear image for a display.
 ///
 /// A user's configuration may not know the image's colour space. A matrix then converts the image to the first of these
-/// that the configuration has: the role aces_interchange; cie_xyz_d65_interchange, if it is scene-referred;
-/// scene_linear, if its name or an alias says which space it is; a space with one of our `aliases`; one with a common
-/// name such as "ACES - ACEScg"; "Linear", which is Rec.709 in Blender.
+/// that the configuration has: the role aces_interchange; the role cie_xyz_d65_interchange, if it is scene-referred;
+/// the role scene_linear, if its name or an alias says which space it is; a space with one of our `aliases`; one with a
+/// common name, such as "ACES - ACEScg"; "Linear", which is Rec.709 in Blender.
 ///
-/// Returned  display-referred, nominally 0 to 1 and coded for the display. Not clamped: a view may leave values below 0
-///           or above 1, to be clipped when 8 or 16 bits are written
+/// Returned  display-referred image, nominally 0 to 1 and coded for the display. It is not clamped: a view may leave
+///           values below 0 or above 1, to be clipped when 8 or 16 bits are written
 /// Accuracy  for sRGB without tone mapping: within 2e-5 of the coded value according to IEC 61966-2-1
 /// Throws    Error  when a scaled channel is not finite (the message names the pixel); when the scale is not above 0;
 ///                  when the configuration cannot be read, lacks the view or the display (the message lists those it
@@ -41,19 +41,19 @@ struct DisplayTransform {
 ///                  ever because it refers to itself, or because a look-up table is not a regular file or names another
 Image developed(Image scene_linear, WorkingSpace space, const DisplayTransform& development = {});
 
-/// Identifier of a colour transform. It depends on the contents of look-up tables, but not on their file names, nor on
-/// the scale.
+/// Identifier of a colour transform. It depends on the contents of look-up tables, but neither on their file names nor
+/// on the scale.
 ///
 /// Throws  Error   as for developed
 /// Source  OpenColorIO's cache identifier of the processor, which includes the numbers in its tables
 std::string fingerprint(WorkingSpace space, const DisplayTransform& development);
 
-/// Configuration for a view and a display: `config`, or $OCIO if it is empty and the built-in one lacks either name.
+/// Configuration for a view on a display: $OCIO if `config` is empty and the built-in one lacks either, else `config`.
 std::filesystem::path config_for(const std::string& view, const std::string& display,
                                  const std::filesystem::path& config);
 
 /// Active displays of a configuration, the default first. An empty `config` means the built-in configuration, with all
-/// its displays. ocio://… names one that comes with OpenColorIO 2.2 or later.
+/// its displays. A path ocio://… means a configuration that comes with OpenColorIO 2.2 or later.
 ///
 /// Throws  Error  when the configuration cannot be read
 std::vector<std::string> displays(const std::filesystem::path& config = {});
@@ -64,8 +64,8 @@ std::vector<std::string> displays(const std::filesystem::path& config = {});
 std::vector<std::string> views(const std::string& display = "sRGB",
                                const std::filesystem::path& config = {});
 
-/// A display's or view's name as the configuration spells it, found without regard to case. In a configuration that has
-/// no view Hue-preserving, that name stands for Un-tone-mapped, if the configuration has that.
+/// A display's or view's name as the configuration spells it, found without regard to case. If the configuration lacks
+/// the view Hue-preserving but has the view Un-tone-mapped, the former name stands for the latter.
 ///
 /// Throws  Error  when the configuration cannot be read or has no display or view of that name; the message lists all
 std::string display_named(const std::string& name, const std::filesystem::path& config = {});
@@ -75,8 +75,8 @@ std::string view_named(const std::string& name, const std::string& display,
 /// Text of the built-in configuration, the one installed as share/coppermoon/config.ocio.
 std::string_view config_text();
 
-/// Text of the built-in configuration for OpenColorIO 2.4 and later, which knows ACES 2. It has the views of ACES 2 in
-/// addition to all others.
+/// Text of the built-in configuration for OpenColorIO 2.4 and later. It has the views of ACES 2, which these versions
+/// know, in addition to all others.
 std::string config_text_of_aces2();
 
 }  // namespace coppermoon::colour

@@ -12,8 +12,8 @@
 namespace coppermoon::colour {
 namespace {
 
-/// Exposure times that cameras show, or their reciprocals [s], in steps of a third and of half a stop. A time in both
-/// series, such as 1/20, is taken to be in thirds, the default on cameras.
+/// Exposure times that cameras show [s], or reciprocals of such times, in steps of a third and of half a stop. A time
+/// in both series, such as 1/20 s, counts as one in thirds, the default on cameras.
 constexpr std::array times_in_thirds{
     1.,    1.25, 1.3,  1.6,   1 / .6, 2.,   2.5,    3.,   3.2, 1 / .3, 4.,    5.,   6.,
     8.,    10.,  13.,  15.,   20.,    25.,  30.,    40.,  50., 60.,    80.,   100., 125.,
@@ -22,7 +22,7 @@ constexpr std::array times_in_thirds{
 constexpr std::array times_in_halves{1 / .7, 1.5,  11.,   45.,   90.,  180.,
                                      350.,   750., 1500., 3000., 6000.};
 
-/// Rounds stops to a given number of steps per stop. Returns nothing if rounding changes them by more than `most`.
+/// Rounds a number of stops to the given steps per stop. Returns nothing if rounding changes it by more than `most`.
 std::optional<double> rounded(double stops, double steps, double most) {
   const double nearest = std::round(stops * steps) / steps;
   return std::abs(nearest - stops) <= most ? std::optional(nearest) : std::nullopt;

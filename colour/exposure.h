@@ -5,8 +5,8 @@ namespace coppermoon::colour {
 
 /// Exposure settings of a camera.
 struct Exposure {
-  double time_s = 1;    ///< 1e-6 to 1e6
-  double f_number = 8;  ///< 0.5 to 512
+  double time_s = 1;    ///< allowed: 1e-6 to 1e6
+  double f_number = 8;  ///< allowed: 0.5 to 512
   double iso = 100;     ///< saturation-based speed, 1 to 1e7
 };
 
@@ -15,13 +15,13 @@ struct Exposure {
 /// Source  ISO 12232
 constexpr double saturation_exposure_lx_s = 78;
 
-/// Pixel value for a scene luminance of 1 cd/m², on a scale where 1.0 saturates the sensor.
+/// Pixel value for a scene luminance of 1 cd/m², on a scale on which 1.0 saturates the sensor.
 ///
-///     value = q L t S / (78 N²),    q = 0.65
+///     value = q L t S / (78 N²),    q = 0.65      L: luminance, t: time, S: ISO speed, N: f-number
 ///
 /// q is the share of the light that a typical lens passes: (π/4)·0.9·0.98·cos⁴10°.
 ///
-/// Returned  per cd/m²; 0.8333 for 1 s at f/1 and ISO 100, so that 1.2 cd/m² saturates
+/// Returned  value per cd/m²: 0.8333 for 1 s at f/1 and ISO 100, so that 1.2 cd/m² saturates
 /// Omits     the actual lens's transmission and vignetting, and reciprocity failure in film
 /// Throws    Error  when a setting is outside its range
 /// Source    ISO 12232

@@ -15,9 +15,9 @@ enum class Direction { forward, back };
 /// The smallest length, at least `length`, that is fast to transform because its only prime factors are 2, 3 and 5.
 std::size_t quick_length(std::size_t length);
 
-/// Fourier transform of rows and columns, in place.
+/// Two-dimensional Fourier transform, in place.
 ///
-/// Returned  not normalised: transforming forward and back multiplies the grid by the number of its values
+/// Returned  in `spectrum`, not normalised: transforming forward and back multiplies it by the number of its values
 void fourier_transform(Spectrum& spectrum, Direction direction);
 
 }  // namespace coppermoon::colour

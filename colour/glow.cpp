@@ -21,7 +21,7 @@ constexpr double inner_rad = 20 * pi / 180 / 3600, outer_rad = 6 * pi / 180,
 
 double logarithm_of_range() { return std::log(outer_squared / inner_squared); }
 
-/// Share of the glow that stays in the source's own pixel, averaged over directions.
+/// Share of a point source's glow that stays within the source's own pixel, integrated over directions.
 double within_own_pixel(double pixel_rad) {
   double share = 0;
   for (const auto& [x, weight] : algebra::gauss_legendre(24))
@@ -59,7 +59,7 @@ Spectrum transfer(std::size_t rows, std::size_t columns, double share, double pi
   return spread;
 }
 
-/// Convolves two channels at once, as real and imaginary parts. The kernel is even, so its transform is real.
+/// Convolves two channels at once, as real and imaginary parts of one grid. The kernel is even; its transform is real.
 void spread(Image& picture, const Spectrum& transfer, std::size_t first, std::size_t second) {
   Spectrum all(transfer.rows(), transfer.columns());
   for (std::size_t r = 0; r < picture.rows(); ++r)

@@ -9,9 +9,9 @@ namespace coppermoon::colour {
 ///
 ///     p = (b² − a²) / (π ln(b²/a²) (a² + θ²) (b² + θ²))        a = 20″, b = 6°
 ///
-/// Between a and b it falls off with the square of the angle.
+/// Between a and b, p falls off with the square of the angle.
 ///
-/// Returned  per steradian: its integral over all angles is 1
+/// Returned  p per steradian; its integral over all directions is 1
 /// Omits     differences between telescopes (published aureoles fall off with the 1.6th to 3rd power of the angle);
 ///           colour; reflections between lenses
 /// Source    King (1971), PASP 83, 199; Racine (1996), PASP 108, 699; Sandin (2014), A&A 567, A97
@@ -24,8 +24,8 @@ double glow_within(double angle_rad);
 ///
 /// Given     share      0 to 0.5
 ///           pixel_rad  angle across a pixel, 1e-12 to 1
-/// Returned  light is conserved, except what leaves the frame
-/// Accuracy  1e-6 of the glow's mean over a pixel
+/// Returned  the convolved picture; light is conserved, except for what leaves the frame
+/// Accuracy  1e-6 relative to the glow's mean over a pixel
 /// Omits     glow from sources beyond the frame
 /// Throws    Error      when share or pixel_rad is outside its range
 Image with_glow(const Image& picture, double share, double pixel_rad);

@@ -43,7 +43,7 @@ void require_luminance(const Luminance& image) {
 struct LimbPlace {
   glm::dvec2 outward;
   double offset_px;  ///< distance outward from the trial circle
-  double weight;     ///< for the fit of the circle
+  double weight;     ///< weight in the fit of the circle
   double seen;       ///< square root of the drop in light at the limb
 };
 
@@ -86,8 +86,8 @@ struct Picture {
   double clipped;
 };
 
-/// The part of a profile from the inner end of its brightest stretch (above three quarters of the maximum) outward.
-/// Light further in is left out, because a thin crescent ends there.
+/// The outer part of a light profile, from the inner end of its brightest stretch (above three quarters of the
+/// maximum). Light further in is left out, because a thin crescent may end there.
 std::span<const double> ground_and_sky(std::span<const double> light) {
   constexpr double of_brightest = 0.75;
   const auto quarter = light.size() / 4;
@@ -99,7 +99,7 @@ std::span<const double> ground_and_sky(std::span<const double> light) {
   return light.subspan(static_cast<std::size_t>(begin - ground.begin()));
 }
 
-/// Finds the place where light drops at the limb: a sharp drop there would give the same area under the profile.
+/// Locates the limb on a radius: a sharp drop of light there would give the same area under the profile.
 std::optional<LimbPlace> limb_place(const Picture& picture, const Disc& disc, double angle,
                                     double half_width_px) {
   constexpr double clearly = 4, of_clipped = 0.3;
@@ -163,7 +163,7 @@ struct Found {
 };
 
 /// Evidence that a circle is a limb: the sum of the square roots of the drops in light along it, times its radius. It
-/// is 0 if less than a quarter of the circle is limb, or more than a quarter of the drops lie off it.
+/// is 0 if less than a quarter of the circle is limb, or if more than a quarter of these drops are off the circle.
 double evidence_of(const std::vector<LimbPlace>& places, const Disc& disc) {
   const double near_px = std::max(0.7, 0.03 * disc.radius_px);
   int degrees = 0;
@@ -179,7 +179,7 @@ double evidence_of(const std::vector<LimbPlace>& places, const Disc& disc) {
   return degrees >= 85 && on_it >= 0.75 * all ? disc.radius_px * evidence : 0;
 }
 
-/// Fits a circle to the limb in five passes, which search ever shorter parts of the radii.
+/// Fits a circle to the limb in five passes. Later passes search shorter parts of the radii.
 Found measured(const Picture& picture, Disc disc, double last_share) {
   std::vector<LimbPlace> places;
   for (const double wider : {1.6, 1.2, 1., 1., 1.}) {
@@ -194,9 +194,9 @@ Found measured(const Picture& picture, Disc disc, double last_share) {
   return {disc, evidence_of(places, disc)};
 }
 
-/// Unevenness of the sky beside a disc: the sum of its changes in light and its excess over its darkest fifth, relative
-/// to the drop in light from disc to sky. It is above 0.5 if the edge continues beyond the circle (corner, horizon) or
-/// is a steady slope, and infinite for a disc without visible contrast.
+/// Unevenness of the sky beside a disc, relative to the drop in light from disc to sky: the sum of the sky's changes
+/// along radii and of the excess over its darkest fifth. It is above 0.5 if the edge continues beyond the circle
+/// (corner, horizon) or is a steady slope, and infinite if the disc has no visible contrast.
 double unevenness(const Luminance& image, const Disc& disc) {
   constexpr double band = 0.1;
   const double wide_px = std::max(2., band * disc.radius_px);
@@ -213,7 +213,7 @@ double unevenness(const Luminance& image, const Disc& disc) {
     limb += std::max(0., std::max(mean(0), mean(1)) - mean(2));
     beyond.push_back(mean(3));
   }
-  constexpr double least_contrast = 0.02;  // a contrast of four sRGB steps is at least 0.05
+  constexpr double least_contrast = 0.02;  // four 8-bit sRGB steps are a contrast of at least 0.05
   const double sky = std::reduce(beyond.begin(), beyond.end());
   if (limb <= 0 || limb < least_contrast * sky) return std::numeric_limits<double>::infinity();
   const double dark = quantile(beyond, 0.2);
@@ -267,7 +267,7 @@ std::size_t reduction_of(std::size_t rows, std::size_t columns) {
   return (std::max(rows, columns) + longest_px - 1) / longest_px;
 }
 
-/// The best circle in part of a picture, binned to at most 400 pixels, and further if noise hides the limb.
+/// The best circle in part of a picture, which is binned to at most 400 pixels, and further if noise hides the limb.
 Found found_within(const Luminance& image, const PicturePart& part) {
   constexpr double least_reduced_px = 20;  // a square smaller than this could pass for a disc
   std::size_t by = reduction_of(part.rows, part.columns);

@@ -23,7 +23,7 @@ using std::numbers::pi;
 
 constexpr double arcsec_rad = pi / 180 / 3600;
 
-/// Mean wavelengths of red, green and blue, for the diffraction in each channel.
+/// Mean wavelengths of red, green and blue light [nm], for the diffraction in each channel.
 constexpr std::array channels_nm{600., 545., 455.};
 
 /// Adapts algebra::Random so that the standard library's distributions can draw from it.
@@ -77,7 +77,7 @@ class Readout {
     pixels_ = shot.pixel_rad * shot.pixel_rad / (sensor_rad * sensor_rad);
   }
 
-  /// Raw number of one pixel in the picture: the mean over the sensor's pixels that it covers.
+  /// Raw number of a pixel in the picture: the mean over those pixels of the sensor that it covers.
   std::uint16_t raw(double luminance, double sensitivity, Bits& bits) const {
     const auto& sensor = camera_.sensor;
     const double well = pixels_ * sensor.full_well_e;
@@ -94,7 +94,7 @@ class Readout {
         std::clamp(std::round(sensor.black_level_dn + signal + added), 0., top_));
   }
 
-  /// Raw number as a share of saturation, white-balanced by the channel's sensitivity; at most 1, the value of white.
+  /// Raw number converted to a share of saturation and white-balanced by the channel's sensitivity; at most 1 (white).
   double developed(std::uint16_t raw, double sensitivity) const {
     return std::min(1., (raw - camera_.sensor.black_level_dn) / (gain_.white_dn * sensitivity));
   }
@@ -161,7 +161,7 @@ Photograph photographed(const Image& scene_linear, WorkingSpace space, const Cam
       glm::dvec3 balanced;
       for (int k = 0; k < 3; ++k)
         balanced[k] = readout.developed(raw[static_cast<std::size_t>(k)], colours.sensitivity[k]);
-      constexpr double sound = 0.9;  // share of saturation that is too low for noise to exceed it
+      constexpr double sound = 0.9;  // share of saturation, low enough that noise does not clip
       result.valid(r, c) = std::max({balanced.r, balanced.g, balanced.b}) < sound ? 1.F : 0.F;
       const glm::dvec3 scene = result.saturation_cd_m2 * (colours.from_sensor * balanced);
       for (int k = 0; k < 3; ++k)

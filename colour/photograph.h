@@ -23,7 +23,7 @@ using RawPixel = std::array<std::uint16_t, 3>;
 
 /// A photograph, both developed and raw.
 struct Photograph {
-  /// Luminances with the camera's noise, which takes some below 0. Clipped pixels are white, at saturation.
+  /// Luminances [cd/m²] with the camera's noise, which makes some negative. Clipped pixels are white, at saturation.
   Image scene_linear;
   algebra::Grid<float> valid;   ///< 1 if every channel is below nine tenths of saturation, else 0
   algebra::Grid<RawPixel> raw;  ///< red, green and blue of each pixel, black level included [DN]
@@ -37,11 +37,11 @@ struct Photograph {
 /// Amplifier and converter add their noise. Raw values are whole numbers of the sensor's bit depth, clipped at both
 /// ends. In the developed picture, no channel exceeds white at the saturation of the most sensitive channel.
 ///
-/// A pixel of the frame that covers n of the sensor's pixels (n may be below 1) is their mean, from n times the
-/// electrons.
+/// A pixel of the frame may cover several of the sensor's pixels, or part of one. If it covers n of them, it gets their
+/// mean value, which comes from n times the electrons.
 ///
 /// Given     scene_linear  channels of the working space [cd/m²], finite
-/// Returned  the same for the same seed and frame, whatever the number of threads
+/// Returned  a photograph that is the same for the same seed and frame, whatever the number of threads
 /// Omits     glow from beyond the frame; the mosaic of colour filters (every pixel has three channels), dark current,
 ///           banding, dust, reflections
 /// Throws    Error         when a pixel is not finite, or the camera, exposure, pixel size or sky is outside its range

@@ -8,7 +8,7 @@
 
 namespace coppermoon::colour {
 
-/// Rectangle of pixels.
+/// A rectangle of pixels within a picture.
 struct PicturePart {
   std::size_t left, top, columns, rows;
 };

@@ -19,10 +19,10 @@ namespace {
 
 using std::numbers::pi;
 
-/// 2 J₁(x)/x
+/// The jinc function, 2 J₁(x)/x.
 double jinc(double x) { return std::abs(x) < 1e-4 ? 1 - x * x / 8 : 2 * ::j1(x) / x; }
 
-/// Distance of an index from 0 along a line that wraps around.
+/// Distance of index `i` from index 0 on a line of the given length that wraps around.
 double from_first(std::size_t i, std::size_t length) {
   return static_cast<double>(std::min(i, length - i));
 }
@@ -83,7 +83,7 @@ class SampledSeeing {
 
   explicit SampledSeeing(double width_px) : width_px_(width_px), others_(count, count) {
     for (std::size_t i = 0; i < count; ++i)
-      squares_[i] = (1 - std::cos(pi * (static_cast<double>(i) + 0.5) / count)) / 8;  // 0 to 1/4
+      squares_[i] = (1 - std::cos(pi * (static_cast<double>(i) + 0.5) / count)) / 8;  // in [0, 1/4]
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t j = 0; j <= i; ++j)
         others_(i, j) = others_(j, i) =
@@ -91,7 +91,7 @@ class SampledSeeing {
     whole_ = 1 + summed(along(counts(0)), counts(0));
   }
 
-  /// Weight of each interpolation node for one component of a frequency, -1/2 to 1/2.
+  /// Weight of each interpolation node, given one component of a frequency (-1/2 to 1/2).
   Counts counts(double frequency) const {
     return algebra::on_polynomial<count>(squares_, frequency * frequency);
   }
@@ -114,7 +114,7 @@ class SampledSeeing {
   }
 
   static double of_others(double x, double y, double width_px) {
-    constexpr double last = 3;  // cycles per width of seeing, at which only 2e-10 is left
+    constexpr double last = 3;  // frequency [cycles per seeing width] at which only 2e-10 is left
     const int folds = static_cast<int>(std::ceil(last / width_px));
     double sum = 0;
     for (int i = -folds; i <= folds; ++i)
@@ -193,7 +193,7 @@ void require_sound(const Blur& blur, double pixel_rad) {
 }  // namespace
 
 double diffraction_spread_per_sr(const Aperture& aperture, double wavelength_nm, double angle_rad) {
-  const double diameter = aperture.diameter_m / (wavelength_nm * 1e-9),  // in wavelengths
+  const double diameter = aperture.diameter_m / (wavelength_nm * 1e-9),  // diameter in wavelengths
       x = pi * diameter * angle_rad, epsilon = aperture.obstruction, open = 1 - epsilon * epsilon;
   const double amplitude = (jinc(x) - epsilon * epsilon * jinc(epsilon * x)) / open;
   return pi / 4 * diameter * diameter * open * amplitude * amplitude;
@@ -206,7 +206,7 @@ double seeing_transfer(double cycles_per_rad, double width_rad) {
 algebra::Grid<double> blurred(const algebra::Grid<double>& picture, const Blur& blur,
                               double pixel_rad) {
   require_sound(blur, pixel_rad);
-  constexpr double unseen = 32;  // width of a pixel in λ/D, from which diffraction is not seen
+  constexpr double unseen = 32;  // pixel width [λ/D] from which diffraction is invisible
   const bool diffracts = blur.wavelength_nm != 0 && spreads_a_pixel(blur, pixel_rad) < unseen;
   const double seeing_px = blur.seeing_rad / pixel_rad;
   const bool seethes = seeing_px >= least_seeing_px;

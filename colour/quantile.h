@@ -7,8 +7,8 @@
 
 namespace coppermoon::colour {
 
-/// Quantile of values: the given share of them, 0 to 1, lies below it. Returns one of the values, without
-/// interpolation, or 0 if there are none.
+/// Quantile: the value below which the given share (0 to 1) of all values lies. The result is one of the values,
+/// without interpolation, or 0 if there are none.
 template <class Number>
 Number quantile(std::vector<Number> values, double share) {
   if (values.empty()) return 0;

@@ -21,7 +21,7 @@ namespace {
 using Values = algebra::Grid<float>;
 using std::numbers::pi;
 
-constexpr double within_limb = 0.92, beyond_limb = 1.2;             // shares of the disc's radius
+constexpr double within_limb = 0.92, beyond_limb = 1.2;             // [disc radii]
 constexpr double least_correlation = 0.4, least_of_markings = 0.3;  // up to 0.29 occurs by chance
 
 /// Sums for a weighted correlation.
@@ -46,7 +46,7 @@ struct Sums {
 /// Rotation, scale and shift between two discs of the same size, each in the middle of its grid.
 struct Pose {
   bool mirrored = false;
-  std::array<double, 4> parts{};  ///< rotation [rad], logarithm of scale, shift [radii]
+  std::array<double, 4> parts{};  ///< rotation [rad], logarithm of scale, shifts in x and y [radii]
 };
 
 double middle_of(const DiscFeatures& features) {
@@ -56,7 +56,7 @@ double middle_of(const DiscFeatures& features) {
 /// A pixel in the photograph's disc.
 struct Seen {
   glm::dvec2 at;        ///< column and row
-  double away_squared;  ///< square of the distance from the disc's centre
+  double away_squared;  ///< square of the distance from the disc's centre [pixels²]
   double weight, contrast;
 };
 
@@ -64,9 +64,9 @@ struct Seen {
 struct Pair {
   DiscFeatures photo, render;
   double radius_px;
-  std::vector<Seen> seen = {};                                ///< weighted pixels up to beyond_limb
-  algebra::Grid<std::array<double, 2>> weight_contrast = {};  ///< of the render
-  double last_column, last_row;                               ///< of the render
+  std::vector<Seen> seen = {};                                ///< pixels in `photo` with a weight
+  algebra::Grid<std::array<double, 2>> weight_contrast = {};  ///< at each pixel of `render`
+  double last_column, last_row;                               ///< in the grids of `render`
 
   Pair(DiscFeatures of_photo, DiscFeatures of_render, double radius)
       : photo(std::move(of_photo)),
@@ -118,8 +118,8 @@ Similarity similarity_of(const Pair& pair, const Pose& pose) {
   return similarity;
 }
 
-/// Calls `act` for each pixel of the photograph's disc, out to a share of the radius, that the render shows too. Passes
-/// the squared distance from the centre relative to that limit, the weight, and both contrasts.
+/// Calls `act` for each pixel that the photograph's disc, out to a share of its radius, has in common with the render.
+/// Passes the squared distance from the centre in units of that limit, the weight, and both contrasts.
 void for_all_shared(const Pair& pair, const Pose& pose, double out_to, const auto& act) {
   const auto back = inverse(similarity_of(pair, pose));
   const auto corner = moved(back, {0.5, 0.5}), across = moved(back, {1.5, 0.5}) - corner,
@@ -133,7 +133,7 @@ void for_all_shared(const Pair& pair, const Pose& pose, double out_to, const aut
   }
 }
 
-/// Correlation of both discs' contrasts for a given pose, out to a share of their radius.
+/// Correlation of the contrasts of both discs for a given pose, out to a share of their radius.
 double correlation(const Pair& pair, const Pose& pose, double out_to) {
   Sums sums;
   for_all_shared(pair, pose, out_to,
@@ -252,8 +252,8 @@ void climb(std::array<Corner, 5>& simplex, const std::function<double(const Part
   }
 }
 
-/// The pose of greatest correlation near a first guess, whose scale may be kept. Steps shrink from `begin` [radii, rad]
-/// to `end_px` pixels at the limb.
+/// The pose of greatest correlation near a first guess. If `of_its_scale`, the guess's scale is kept. Steps shrink from
+/// `begin` [disc radii, rad] to `end_px` pixels at the limb.
 Pose refined(const Pair& pair, Pose pose, bool of_its_scale, double begin, double end_px) {
   constexpr std::size_t growth = 1;
   const auto height = [&](const Parts& parts) {
@@ -278,7 +278,7 @@ Pose refined(const Pair& pair, Pose pose, bool of_its_scale, double begin, doubl
 }
 
 /// Adjusts a pose's rotation by up to 1.5 degrees so that markings correlate best. The limb says nothing about
-/// rotation, yet its blur favours poses whose pixels fall between those of the photograph.
+/// rotation, but its blur favours poses whose pixels fall between those of the photograph.
 Pose turned(const Pair& pair, Pose pose) {
   for (const double step : {0.5 * pi / 180, 0.1 * pi / 180}) {
     const auto before = pose;
@@ -307,7 +307,7 @@ Disc disc_in(const Values& picture, const char* name) {
 }
 
 CloseUp close_up(const Values& picture, const Disc& disc) {
-  constexpr double margin = 1.4, enough_px = 640;  // [radii]; 4 times the finest radius used
+  constexpr double margin = 1.4, enough_px = 640;  // [disc radii]; 4 times the finest grid's radius
   const double by = std::max(1., std::floor(disc.radius_px / enough_px));
   const auto part = window_about({disc.x_px, disc.y_px, margin * disc.radius_px}, picture.rows(),
                                  picture.columns());

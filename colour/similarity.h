@@ -8,19 +8,19 @@
 
 namespace coppermoon::colour {
 
-/// How one picture lies in another: rotated, scaled, shifted and perhaps mirrored.
+/// Transform that maps one picture to another: optional mirroring, rotation, scale and shift.
 ///
 ///     X = scale (c m x − s y) + x_px,  Y = scale (s m x + c y) + y_px
 ///
-/// Here c and s are the cosine and sine of the rotation, and m is −1 when mirrored, else 1. Pixels count from the upper
-/// left corner, with y down and the first pixel's centre at (0.5, 0.5), so positive rotations are clockwise.
+/// Here c and s are the cosine and sine of the rotation, and m is −1 when mirrored, else 1. Pixels are counted from the
+/// upper left corner, with y down and the first pixel's centre at (0.5, 0.5), so positive rotations are clockwise.
 struct Similarity {
   double scale = 1, rotation_rad = 0;
   double x_px = 0, y_px = 0;  ///< where the upper left corner ends up
   bool mirrored = false;      ///< whether left and right are swapped first
 };
 
-/// Where a point in the first picture lies in the other.
+/// Where a point of the first picture lies in the other.
 glm::dvec2 moved(const Similarity& similarity, const glm::dvec2& pixel);
 
 /// The inverse similarity.
@@ -51,7 +51,7 @@ class Resampled {
 
 /// Resamples an image to all pixels of another picture.
 ///
-/// Returned  rows × columns. An image of ones gives the share of each pixel that the image covers
+/// Returned  grid of rows × columns. An image of ones gives the share of each pixel that the image covers
 /// Throws    Error  as for Resampled
 algebra::Grid<float> resampled(const algebra::Grid<float>& image, const Similarity& similarity,
                                std::size_t rows, std::size_t columns);
@@ -61,9 +61,9 @@ algebra::Grid<float> resampled(const algebra::Grid<float>& image, const Similari
 /// apart in a row.
 ///
 /// The image is assumed to be interpolated bilinearly from a sensor's pixels, either among those of one colour or by a
-/// rotation. If its pixels are independent instead, the result is up to twice too large.
+/// rotation. If its pixels are independent instead, the result is too large by a factor of up to two.
 ///
-/// Given     scale  number of the image's pixels along one pixel of the other picture, 1e-4 to 1e4
+/// Given     scale  number of image pixels along one side of a pixel of the other picture, 1e-4 to 1e4
 /// Accuracy  6 % for scales of 1 or more, averaged over the positions of pixels; also for a rotated picture
 /// Throws    Error  when the scale is out of range
 double noise_of_means(double scale);

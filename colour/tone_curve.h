@@ -12,18 +12,18 @@ namespace coppermoon::colour {
 inline constexpr std::size_t tone_components = 3, tone_levels = 16,
                              tone_numbers = tone_components + tone_levels;
 
-/// How the levels in a camera's JPEG relate to light. Each number counts in standard deviations over cameras, so it is
-/// 0 ± 1 before anything is known; all 0 is the average camera.
+/// Tone curve of a camera: how the levels in its JPEGs relate to light. Its numbers are in units of their standard
+/// deviations among cameras, so they are 0 ± 1 for an unknown camera. If all are 0, it is the average camera's curve.
 ///
 ///     ln(scene / displayed) = m(v) + Σ a_k p_k(v) + Σ b_j r_j(v)
 ///
-/// Here v is the coded level and `displayed` its light in sRGB, m and p_k are the mean and the principal components
-/// over cameras, and r_j is a triangle around one of sixteen levels, of height 0.4 at 0.04, 0.1 at 0.10, 0.04 at 0.16 and 0.025
-/// above. Scene light is in a unit such that
-/// it equals displayed light at level 0.5, so the curve does not depend on exposure.
+/// Here v is the coded level, and `displayed` is the light that sRGB gives it. a_k and b_j are the numbers. m and p_k
+/// are the mean and the principal components of many cameras' curves. r_j is a triangle around one of sixteen levels;
+/// its height is 0.4 at 0.04, 0.1 at 0.10, 0.04 at 0.16 and 0.025 above. Scene light is in a unit such that it equals
+/// displayed light at level 0.5, so the curve does not depend on exposure.
 ///
-/// Accuracy  0.025 RMS with the three components alone, for levels 0.05 to 0.93 of five cameras that are not in the
-///           table
+/// Accuracy  0.025 RMS in the logarithm with the three components alone, for levels 0.05 to 0.93 of five cameras that
+///           are not in the table
 /// Omits     local contrast, colour saturation, mixing of channels
 /// Source    data/camera_tone_curves.csv, after the model of Grossberg & Nayar (2004), IEEE Trans. PAMI 26, 1272: mean
 ///           and principal components of measured curves
@@ -40,7 +40,7 @@ inline constexpr double least_displayed = 0.00364, most_displayed = 0.8481;
 /// Given  displayed  0 to 1; levels below 0.047 count as 0.047
 double tone_logarithm(const ToneCurve& curve, double displayed);
 
-/// Derivatives of tone_logarithm with respect to each of the curve's numbers.
+/// Derivatives of tone_logarithm with respect to each of the numbers in ToneCurve.
 std::array<double, tone_numbers> tone_derivatives(double displayed);
 
 /// A tone curve as a table, for fast conversion of pixels.
@@ -49,8 +49,8 @@ class ToneTable {
   explicit ToneTable(const ToneCurve& curve);
   /// Converts displayed light to scene light.
   ///
-  /// Given     displayed  values below 0 stay as they are, those above 1 count as 1
-  /// Accuracy  1e-3
+  /// Given     displayed  values below 0 stay as they are; values above 1 count as 1
+  /// Accuracy  1e-3, relative
   float operator()(float displayed) const;
 
  private:

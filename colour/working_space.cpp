@@ -34,7 +34,7 @@ struct Space {
   Primaries primaries;
 };
 
-/// Indexed by WorkingSpace.
+/// Names and primaries of all working spaces, indexed by WorkingSpace.
 constexpr std::array<Space, 3> spaces{
     {{{"lin_rec709", "lin_rec709_scene", "lin_srgb"},
       {{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}, d65}},
@@ -94,7 +94,7 @@ double share_of_grey(const glm::dvec3& colour, const glm::dvec3& grey) {
   return share;
 }
 
-/// Where a word occurs in a text, whatever the case of its letters; npos if it does not.
+/// Position of a word in a text, regardless of upper and lower case; npos if the word is absent.
 std::size_t find_word(std::string_view text, std::string_view word) {
   const auto same = [](unsigned char a, unsigned char b) {
     return std::tolower(a) == std::tolower(b);

@@ -13,7 +13,8 @@ numbers() { oiiotool --dumpdata "$1" | sed -n 's/.*Pixel (\(.*\), \(.*\)): \(.*\
 V() { coppermoon brightness "$@" --json | awk '/"V"/ { printf "%.2f", $2 }'; }
 
 cat <<'END'
-Made by `examples/beside_photographs.sh`: the figures of [`docs/beside_photographs.md`](../docs/beside_photographs.md).
+Made by `examples/beside_photographs.sh`. This page contains the figures of
+[`docs/beside_photographs.md`](../docs/beside_photographs.md).
 
 END
 echo "| command | brightest hundredth of the disc, over saturation |"

@@ -30,10 +30,10 @@ plot 'brightness_2000_2050.csv' every ::1 using 1:3:4 with yerrorbars pointtype 
 END
 {
   cat <<'END'
-Made by `examples/brightness_2000_2050.sh`: V magnitude of the whole Moon at the greatest phase of each total eclipse from
-2000 to 2050 in the air of its month, its standard error (68 of 100 eclipses lie within it) and Danjon's L by V. From 2026 on
-the stratosphere's aerosol is that of quiet years: a great eruption would darken the eclipses of some years after it by one to
-four magnitudes.
+Made by `examples/brightness_2000_2050.sh`. The table gives the V magnitude of the whole Moon at the greatest phase of
+each total eclipse from 2000 to 2050 in the air of its month, its standard error (68 of 100 eclipses lie within it) and
+Danjon's L derived from V. From 2026 on, the stratosphere's aerosol is that of quiet years: a great eruption would
+darken the eclipses of the following years by one to four magnitudes.
 
 ![V by year, with error bars](pictures/brightness_2000_2050.png)
 

@@ -72,13 +72,14 @@ words_of() {
 }
 
 cat <<'END'
-Made by `examples/eclipse_brightness.sh`: eclipses as they were measured, and as they are computed in the air of their month
-(`--atmosphere standard`) and in the air that was standard until version 0.1 (`undated`: alike everywhere and always). Nothing
-is fitted to any of them, but in the section on `calibrated`. Differences are observed less computed.
+Made by `examples/eclipse_brightness.sh`. This page compares measured eclipses with computed ones, in the air of their
+month (`--atmosphere standard`) and in the air that was standard until version 0.1 (`undated`, the same at all places
+and times). Nothing is fitted to any of them, except in the section on `calibrated`. Differences are observed minus
+computed.
 
 ## The whole Moon at greatest eclipse, by instruments
 
-Visual magnitudes; of B no measurement that can be cited was at hand.
+The magnitudes are visual. No citable measurement in B was at hand.
 
 | eclipse | umbral magnitude | quantity and source | measured | computed | difference | `undated` |
 | --- | ---: | --- | ---: | ---: | ---: | ---: |
@@ -92,20 +93,21 @@ cat <<'END'
 
 ## One number fitted: `calibrated`
 
-Factors on the chance of cloud, and on it and the free troposphere's aerosol, fitted to these five and the umbra of 2022
-(below), each eclipse counted once. Each is judged by the fit to the five others. Two factors trade one for the other, up to
-the end of what was tried: the air `calibrated` has the one on cloud, of all six.
+Two fits were made to these five eclipses and the umbra of 2022 (below), each eclipse counted once. The first fits a
+factor on the chance of cloud. The second also fits a factor on the free troposphere's aerosol. Each eclipse is compared
+with the fit to the five others. With two factors, each can compensate for the other, up to the limits of what was
+tried. The air `calibrated` therefore uses the factor on cloud alone, fitted to all six.
 
 END
 data_of() { echo "$data/$1.csv"; }
 "$here/../build/release/tests/measurements/calibration" "$(data_of photometers)" "$(data_of umbra_profile)"
-printf '\nThe observers of the next section, whom no fit has seen: rms %s in `standard`, %s in `calibrated`.\n' \
+printf '\nNo fit used the observers of the next section. Their differences are: rms %s in `standard`, %s in `calibrated`.\n' \
   "$(of_observers standard)" "$(of_observers calibrated)"
 cat <<'END'
 
 ## By observers
 
-Observers of one and the same eclipse differ by 0.5 to 0.7 magnitudes.
+Observers of the same eclipse differ by 0.5 to 0.7 magnitudes.
 
 | eclipse | umbral magnitude | quantity and source | observed | computed | difference | `undated` |
 | --- | ---: | --- | ---: | ---: | ---: | ---: |
@@ -115,12 +117,12 @@ rows eclipse_photometry | while IFS=, read -r date quantity value uncertainty; d
 done | with_mean
 three() { eclipse "$1"; V "$greatest" $flags; }
 dark=$(three 2025-09-07)
-printf '\nOne camera, with one exposure each, has 2025-09-07 some 0.75 mag fainter than 2018-01-31 and 2022-11-08; computed are\n%s and %s. The errors that we state of such differences are 0.35 and 0.4.\n' \
+printf '\nOne camera, with one exposure for each eclipse, shows 2025-09-07 some 0.75 mag fainter than 2018-01-31 and 2022-11-08. The\ncomputed differences are %s and %s, and their stated errors are 0.35 and 0.4.\n' \
   "$(minus "$dark" "$(three 2018-01-31)")" "$(minus "$dark" "$(three 2022-11-08)")" | sed 's/ -\([0-9]\)/ −\1/g'
 cat <<'END'
 
-What H. C. Vital foretells from observers' estimates of earlier eclipses, each to 0.4 magnitudes, by umbral magnitude
-alone; computed for an eclipse that has it:
+H. C. Vital predicts the brightness from umbral magnitude alone, based on observers' estimates of earlier eclipses, each
+accurate to 0.4 magnitudes. The table compares each prediction with an eclipse of that umbral magnitude:
 
 | eclipse | umbral magnitude | foretold for | foretold | computed | difference | `undated` |
 | --- | ---: | ---: | ---: | ---: | ---: | ---: |
@@ -132,18 +134,19 @@ cat <<'END'
 
 ## Across the umbra, by a camera
 
-16 May 2022, four months after an eruption in the tropics (Hunga): irradiance in linear Rec.709 by distance from the axis, in
-magnitudes, + where the photograph is brighter. Its scale is good to some 0.2 mag, its shape to better; the camera's own
-contrast is not known.
+The eclipse of 16 May 2022 came four months after an eruption in the tropics (Hunga). The table gives the difference in
+irradiance, in linear Rec.709, by distance from the axis. Differences are in magnitudes, positive if the photograph is
+brighter. The scale of the photograph is accurate to some 0.2 mag, and its shape to better; the camera's own contrast is
+not known.
 
 END
 umbra=$here/../build/release/tests/measurements/umbra
 "$umbra" "$data/umbra_profile.csv" profile
 cat <<'END'
 
-The same all together, with one choice made otherwise at a time. The mean is a matter of the photograph's scale and of the
-eruption, whose aerosol is known as global mean of the month and by judgement in bands; what is left about the mean is the
-shape of the shadow.
+The next table combines all these differences, with one choice changed at a time. The mean depends on the photograph's
+scale and on the eruption, whose aerosol is known as a global mean for the month, and in bands only by judgement. The
+scatter about the mean depends on the shape of the shadow.
 
 END
 "$umbra" "$data/umbra_profile.csv" choices
@@ -151,8 +154,9 @@ cat <<'END'
 
 ## Eclipses that chroniclers called dark
 
-With the stratosphere's aerosol of their month, from ice cores; the neighbour is a total eclipse of like depth in a year
-without an eruption. Dates are those of the Gregorian calendar, which `coppermoon` has throughout.
+These eclipses are computed with the stratosphere's aerosol of their month, from ice cores. The neighbour is a total
+eclipse of similar depth in a year without an eruption. Dates are in the Gregorian calendar, which `coppermoon` uses
+throughout.
 
 | eclipse | Julian date | aerosol's optical depth | V computed | `undated` | neighbour | its V | `undated` |
 | --- | --- | ---: | ---: | ---: | --- | ---: | ---: |
@@ -171,8 +175,9 @@ rows chronicles | while IFS=, read -r julian date neighbour; do
 done | sed 's/ -\([0-9]\)/ −\1/g'
 cat <<'END'
 
-All but one come out dark, by 2.3 to 3.6 magnitudes against their neighbours: an eruption stands in the ice before each. That of
-1229 does not: there is none in the ice, and what darkened it (weather along the limb, or an eruption too small for the
-poles' snow) the air of a month does not know.
+All computed eclipses but one are dark, by 2.3 to 3.6 magnitudes relative to their neighbours, because the ice records
+an eruption before each. The computed eclipse of 1229 is not dark, because the ice records no eruption before it.
+Whatever darkened the real one (weather along the limb, or an eruption too small to appear in polar snow) is not part of
+a month's air.
 END
 "$here/made_at.sh" "examples/eclipse_brightness.sh $*"

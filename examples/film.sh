@@ -36,14 +36,14 @@ seconds pictures oiiotool --frames "1-$frames" "frame.%04d.exr" -d uint8 -o "$sc
 awk -v n="$frames" -v whole="$whole" -v povray="$povray" -v textures="$textures" -v pictures="$pictures" 'BEGIN {
   floor = povray + textures + pictures
   print "# A film, and what it cannot take less than\n"
-  printf "Made by `examples/film.sh`: the eclipse of 27 July 2018 from P1 to P4, %d frames of 960 x 540, in one run.\n\n", n
+  printf "Made by `examples/film.sh`. The film shows the eclipse of 27 July 2018 from P1 to P4 in %d frames of 960 x 540, timed in one run.\n\n", n
   print "| what | seconds | a frame |\n| --- | ---: | ---: |"
   printf "| `coppermoon animate`, from the light to developed pictures | %.0f | %.2f |\n", whole, whole / n
   printf "| POV-Ray alone, the scenes ready, one process | %.0f | %.2f |\n", povray, povray / n
   printf "| OpenImageIO alone, the textures read and written | %.0f | %.2f |\n", textures, textures / n
   printf "| OpenImageIO alone, the frames read and pictures written | %.0f | %.2f |\n", pictures, pictures / n
-  printf "\nThe film takes %.2f of what these three take together: of each frame only the part that the Moon takes is\n", whole / floor
-  print "rendered; POV-Ray sleeps for a third of a second at each frame, and several processes with one thread each are quicker"
-  print "than one with several."
+  printf "\nThe film takes %.2f of the time of these three together, because it renders only the part of each frame that the Moon\n", whole / floor
+  print "covers. POV-Ray also sleeps for a third of a second at each frame, and several processes with one thread each are quicker"
+  print "than one with several threads."
 }'
 "$here/made_at.sh" "examples/film.sh $*"

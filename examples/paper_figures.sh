@@ -133,13 +133,13 @@ dust_rows() {
 cat <<EOF
 # The paper's figures, remade
 
-Made by \`examples/paper_figures.sh\`: Figures 1, 4, 5, 6 and 7 of Yapo & Cutler (2009) at their instants, exposures
-and α, each from one simulation that is developed at every exposure asked for. All from Clifton Park, New York
-(42.86° N, 73.77° W), through 127 mm f/12.1 at ISO 800, in the paper's air and with its lunar surface
-([\`first_eclipse.toml\`](first_eclipse.toml)); celestial north up, east to the left. The paper's photographs are in
-the paper.
+Made by \`examples/paper_figures.sh\`. This page shows Figures 1, 4, 5, 6 and 7 of Yapo & Cutler (2009) at their instants,
+exposures and α. Each comes from one simulation that is developed at every exposure. All are seen from Clifton Park, New
+York (42.86° N, 73.77° W), through 127 mm f/12.1 at ISO 800, in the paper's air and with its lunar surface
+([\`first_eclipse.toml\`](first_eclipse.toml)). Celestial north is up, and east to the left. The paper's photographs are
+in the paper.
 
-Danjon's scale, and where the paper means to show it:
+The table shows Danjon's scale, and the figures in which the paper illustrates it:
 
 | L | how the eclipse looks | figure, α [m⁻¹] |
 | --- | --- | --- |
@@ -149,18 +149,18 @@ Danjon's scale, and where the paper means to show it:
 | 1 | a dark brown or grey in which the maria are hard to find | 5 and 6: 1e-5 |
 | 0 | hardly to be found in the sky when the eclipse is deepest | |
 
-In the tables: the disc's mean luminance [cd/m²] and V magnitude above the observer's air, and L as observers
-estimate it at such a magnitude, by \`coppermoon brightness FRAME.exr --json\` (in totality alone; magnitude knows
-no colour); how far the Moon's centre is from the shadow's axis, by \`coppermoon sky INSTANT --json\`; the part of
-the disc of which a channel is white, by \`oiiotool PICTURE.png --rangecheck 0 0.998\`. At ISO 800 and f/12.1, 22
-cd/m² saturate in a second.
+\`coppermoon brightness FRAME.exr --json\` gives the disc's mean luminance [cd/m²] and V magnitude above the observer's
+air, and L as observers estimate it at such a magnitude (only in totality; magnitude says nothing about colour).
+\`coppermoon sky INSTANT --json\` gives the distance of the Moon's centre from the shadow's axis. \`oiiotool PICTURE.png
+--rangecheck 0 0.998\` gives the part of the disc in which a channel is white. At ISO 800 and f/12.1, 22 cd/m² saturate
+in a second.
 
 ## Figure 1: no air, air that only refracts, all of it
 
 ![](pictures/figure_1.png)
 
-$before_totality, $(axis $before_totality) from the axis, eleven minutes before totality; no dust. Above 1/4 s,
-below 4 s.
+$before_totality, $(axis $before_totality) from the axis, eleven minutes before totality, without dust. Upper row 1/4 s,
+lower row 4 s.
 
 | air | luminance | V | white at 1/4 s | at 4 s |
 | --- | ---: | ---: | ---: | ---: |
@@ -168,8 +168,9 @@ below 4 s.
 | refraction alone | $(measured refraction "0.25 4") |
 | all | $(measured all "0.25 4") |
 
-Without air the umbra has the stars' light alone, darker than any L, and is black. Bent light makes it grey, and so
-bright that 4 s lose all of it. Rayleigh scattering and ozone take most of that and leave the copper.
+Without air the umbra is lit only by the stars. The umbra is then darker than any L, and black. Bent light makes it
+grey, and so bright that it is overexposed in 4 s. Rayleigh scattering and ozone remove most of that light and leave a
+copper colour.
 
 ## Figure 4: one partial eclipse, five exposures
 
@@ -188,9 +189,9 @@ $(exposure_row 1.509 "the umbra to its darkest part, nothing of it white; a grey
 
 A fifth of the disc (21 %) is outside the umbra of an Earth without air.
 
-The paper uses its model's default α here and does not say which. We take 4.7e-6: it is the paper's middle value,
-the one that is not round, thus chosen to fit something; and by it the whole Moon has V = −2.7 in mid-eclipse, where
-observers saw −2.8 ± 0.3 (H. C. Vital, REA Brazil).
+The paper uses its model's default α here and does not say which. We take 4.7e-6, the paper's middle value. It is the
+only value that is not round, so it was probably chosen to fit something. It also gives the whole Moon V = −2.7 in
+mid-eclipse, for which observers reported −2.8 ± 0.3 (H. C. Vital, REA Brazil).
 
 ## Figure 5: early in totality, three kinds of dust
 
@@ -216,8 +217,8 @@ $(dust_rows figure_6 3)
 
 ![](pictures/figure_7.png)
 
-No dust: L 4. By \`coppermoon almanac\` second contact is at 07:40:49, with Chauvenet's shadow at 07:40:24; greatest
-eclipse at 08:16:58.
+The figure shows air without dust, L 4. According to \`coppermoon almanac\`, second contact is at 07:40:49 (07:40:24 with
+Chauvenet's shadow), and greatest eclipse at 08:16:58.
 
 | instant | phase | from the axis | exposure [s] | luminance | V | white |
 | --- | --- | ---: | ---: | ---: | ---: | ---: |
@@ -229,26 +230,27 @@ eclipse at 08:16:58.
 EOF
 cat <<'EOF'
 
-* Misprints are put right: Cauchy's equation (4) is 1.000272643 + 1.2288/λ² + 3.555e4/λ⁴, four times the dispersion
-  of the printed one; 0.0102963 stands in the denominator of (14), Δl in (12); α is per metre.
-* The light is integrated by quadrature, in 60 bands, instead of by 10⁷ photons of 200 wavelengths: without grain,
-  in half a second. With `--solver photons --photons 1e6` these luminances are by photons: up to 3 %
-  larger without dust, 5 % with light dust and 10 % with heavy, since the recipe smooths photons by 100 km. Nor is a
-  ray bent by the one-sided difference of (3), which bends it 0.06 % too little.
-* Exposure is absolute: a pixel is white where ISO 12232 says that the sensor saturates. How its exposures were
-  scaled, the paper does not say; nor how much ozone its one filter holds (345 DU here), nor when its Figure 1 is,
-  and how exposed: here when a last crescent is sunlit in all three, and at two exposures, since none suits all.
-* Cloud is left out, as in the paper. To 10 km over 70 % of the limb (`--cloud-cover 0.7 --cloud-top-km 10`) it
-  would take 0.3 mag of V and 0.6 of R from mid-eclipse without dust. `--atmosphere standard` has it.
-* Dust that is grey and lies from 15 to 20 km does not make Danjon's darker kinds. By `coppermoon shadow
-  2008-02-21T03:26:00Z --atmosphere paper --dust-extinction 1e-5 --axis-distances 0,3500,4500` it takes 80 % of the
-  light on the shadow's axis, 93 % at 3500 km, but 50 % at 4500 km (550 nm), by the umbra's edge, where the light
-  passes above it and is white. So each kind is darker than the one before, and 2.5 mag are between the first and
-  the last in mid-eclipse (03:26), where L by magnitude is 4.0, 3.1 and 2.4; but the last is a dim copper with a
-  pale rim, not grey.
+* Misprints are corrected. Cauchy's equation (4) is 1.000272643 + 1.2288/λ² + 3.555e4/λ⁴, with four times the dispersion
+  of the printed one. The denominator of (14) contains 0.0102963, and (12) contains Δl. The unit of α is m⁻¹.
+* The light is integrated by quadrature in 60 bands, in half a second and without grain, instead of by 10⁷ photons of
+  200 wavelengths. Photons (`--solver photons --photons 1e6`) give luminances up to 3 % larger without dust, 5 % with
+  light dust and 10 % with heavy dust, because the recipe smooths photons by 100 km. The rays are not bent by the
+  one-sided difference of (3), which bends them 0.06 % too little.
+* Exposure is absolute: a pixel is white if the sensor saturates according to ISO 12232. The paper does not say how its
+  exposures were scaled, or how much ozone its one filter contains (345 DU here). It also gives neither the moment nor
+  the exposure of its Figure 1. Here a last crescent is sunlit in all three pictures, and there are two exposures,
+  because no single one suits all.
+* Cloud is left out, as in the paper. Cloud up to 10 km over 70 % of the limb (`--cloud-cover 0.7 --cloud-top-km 10`)
+  would make mid-eclipse without dust fainter by 0.3 mag in V and 0.6 mag in R. `--atmosphere standard` includes cloud.
+* Grey dust from 15 to 20 km does not reproduce Danjon's darker eclipses. According to `coppermoon shadow
+  2008-02-21T03:26:00Z --atmosphere paper --dust-extinction 1e-5 --axis-distances 0,3500,4500`, such dust removes 80 %
+  of the light on the shadow's axis and 93 % at 3500 km (550 nm). Near the umbra's edge, at 4500 km, it removes only 50
+  %, because the light there passes above the dust and is white. Each kind of dust is therefore darker than the one
+  before, and the first and the last differ by 2.5 mag in mid-eclipse (03:26), with L by magnitude of 4.0, 3.1 and 2.4.
+  The last, however, is a dim copper with a pale rim, not grey.
 * The Moon's map is coppermoon's own.
 
-`tests/end_to_end/paper_figures_test.cpp` asserts, in small, the order of brightness, the copper, and which parts
-saturate: those of which so much of the Sun is in view.
+`tests/end_to_end/paper_figures_test.cpp` checks small versions of these figures: the order of brightness, the copper
+colour, and the parts that saturate, which follow from how much of the Sun is in view.
 EOF
 "$here/made_at.sh" "examples/paper_figures.sh $given"

@@ -16,20 +16,21 @@ scene() {
 }
 
 cat <<'EOF'
-Made by `examples/plans.sh`: what `coppermoon plan` chooses for six scenes, all within 1 % of luminance anywhere on the
-disc but for the preview's 5 %. What is left out stands with what luminance would change by at most.
+Made by `examples/plans.sh`. This page shows what `coppermoon plan` chooses for six scenes, all within 1 % of luminance
+anywhere on the disc, except the preview, which allows 5 %. Each effect left out is listed with the largest change in
+luminance that it would make.
 EOF
-scene "Penumbra alone" "The Moon has just touched the penumbra: sunlight that passes clear of the air outshines what \
-came through it, so no ray is followed through the air at all." 2009-02-09T12:40:00Z
-scene "Deep in the umbra" "The axis goes through the disc, and so little light is refracted there that what the air \
-scatters into the shadow counts." 2011-06-15T20:13:00Z
-scene "Air alike all around" "Without clouds and seasons there is one column to follow light through, and light that \
-differs around the axis by the Earth's oblateness alone." 2018-07-27T20:21:45Z --atmosphere clear
-scene "A Moon at 3 degrees altitude" "The same eclipse as it rises over London: the frame shows the disc flattened by \
-refraction, which is left out where it is less than a quarter of a pixel; the texture is as large as the frame can show." \
+scene "Penumbra alone" "The Moon has just touched the penumbra. Sunlight that misses the air outshines \
+the light that came through it, so no ray is traced through the air at all." 2009-02-09T12:40:00Z
+scene "Deep in the umbra" "The axis passes through the disc. So little light is refracted there that the light \
+scattered into the shadow by the air matters." 2011-06-15T20:13:00Z
+scene "Air alike all around" "Without clouds and seasons there is only one column of air to trace rays through. \
+The light then differs around the axis only because the Earth is oblate." 2018-07-27T20:21:45Z --atmosphere clear
+scene "A Moon at 3 degrees altitude" "This is the same eclipse as the Moon rises over London. The frame shows the disc \
+flattened by refraction, which is left out if it is less than a quarter of a pixel. The texture is as large as the frame can show." \
   2018-07-27T20:21:45Z --at 51.5,0 --width 450 --height 300
-scene "A preview of 256 pixels" "Drafts may be wrong by 5 %, which fewer rays keep to; the \
-texture is no larger than so small a frame can show." 2008-02-21T03:26:05Z --quality draft --width 256 --height 256
-scene "A map of 16384 texels" "Light is computed as for any other map: the time goes into texels." \
+scene "A preview of 256 pixels" "A draft may be wrong by 5 %, which needs fewer rays. The texture \
+is no larger than such a small frame can show." 2008-02-21T03:26:05Z --quality draft --width 256 --height 256
+scene "A map of 16384 texels" "Light is computed as for any other map. Most of the time is spent on texels." \
   2008-02-21T03:26:05Z --texture-width 16384
 "$here/made_at.sh" "examples/plans.sh $*"

@@ -9,8 +9,8 @@ coppermoon="$here/../build/release/coppermoon"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cat <<'END'
-Made by `examples/rim_of_the_umbra.sh`: red over blue, linear Rec.709, by distance from the shadow's axis, over full moonlight,
-mean of all position angles.
+Made by `examples/rim_of_the_umbra.sh`. The table gives the least ratio of red to blue in linear Rec.709, relative to
+that of full moonlight and averaged over all position angles, and its distance from the shadow's axis.
 
 END
 echo '| eclipse | response | least red over blue | at [km] | red below blue, width [arcmin] |'

@@ -21,9 +21,10 @@ cp side_by_side.png "$OLDPWD"
 cat <<'EOF'
 # Side by side
 
-Made by `examples/side_by_side.sh`: the eclipse of 21 February 2008, 03:26:05 UTC, from 42.86° N, 73.77° W; one texture, by
-POV-Ray, by Blender (the add-on), and by 8 × 8 rays through each pixel, the reference; then what POV-Ray and
-Blender differ from the reference, twenty times as bright. 300 × 300 pixels, a disc 262 wide.
+Made by `examples/side_by_side.sh`. The pictures show the eclipse of 21 February 2008, 03:26:05 UTC, from 42.86° N,
+73.77° W. One texture is rendered by POV-Ray, by Blender (the add-on), and by a reference with 8 × 8 rays through each
+pixel. The last two pictures show how POV-Ray and Blender differ from the reference, twenty times as bright. Each
+picture has 300 × 300 pixels, and the disc is 262 pixels wide.
 
 ![](pictures/side_by_side.png)
 
@@ -33,8 +34,9 @@ EOF
 sed -n '/^|/p' said
 cat <<'EOF'
 
-Luminance: of the pixels more than 2 px inside the limb. Centroid: of all light. Shift: by least squares over the frame.
-3 × 3 rays are what `coppermoon scene` asks for: to a pixel's middle, edges and corners, which are another's too, so that each
-pixel reaches a little into the next; with more rays (`povray eclipse.ini +R5`) that is gone.
+Luminance is compared in pixels more than 2 px inside the limb. The centroid is that of all light. The shift is found by
+least squares over the frame. `coppermoon scene` asks for 3 × 3 rays: to a pixel's middle, edges and corners.
+Neighbouring pixels share edges and corners, so each pixel extends a little into the next. With more rays (`povray
+eclipse.ini +R5`) this effect disappears.
 EOF
 "$here/made_at.sh" "examples/side_by_side.sh $*"

@@ -24,9 +24,10 @@ oiiotool --nosoftwareattrib $pictures --mosaic:pad=2 5x3 -o three_films.png
 cat <<'EOF'
 # Three films of one eclipse
 
-Made by `examples/three_films.sh`: the partial phase and half the totality of 27 July 2018 in five frames of 300 × 300 pixels, from
-the Earth's centre, textures of 1024 texels. First with a texture for each frame; then by the shader of `coppermoon shader`: in
-Blender, where the add-on has put it into a node group, and in POV-Ray, where `clock` is the time.
+Made by `examples/three_films.sh`. The films show the partial phase and half the totality of 27 July 2018 in five frames
+of 300 × 300 pixels, as seen from the Earth's centre, with textures of 1024 texels. The first film uses a texture for
+each frame. The others use the shader from `coppermoon shader`: in Blender, where the add-on puts it into a node group,
+and in POV-Ray, where `clock` is the time.
 
 ![Rows: textures, Blender, POV-Ray](pictures/three_films.png)
 
@@ -36,8 +37,9 @@ EOF
 sed -n '/^|/p' "$scratch/said"
 cat <<'EOF'
 
-Seconds: of everything, baking and rendering. MB: textures, strip and shaders; those of the first film grow with its frames, a film of 240 has 48 times as much; those of
-the others do not, but for the add-on's small textures, by which it knows light and camera of each frame. Difference: of luminance,
-pixel by pixel, 4 pixels and more inside the limb; rays meet the ground's relief elsewhere in each renderer.
+Seconds include baking and rendering. MB counts textures, strip and shaders. The size of the first film grows with its
+frames: a film of 240 frames has 48 times as much. The size of the others does not grow, except for the small textures
+from which the add-on reads light and camera of each frame. The difference is that in luminance, pixel by pixel, 4
+pixels or more inside the limb. In each renderer, rays meet the ground's relief at different points.
 EOF
 "$here/made_at.sh" "examples/three_films.sh $*"

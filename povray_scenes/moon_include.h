@@ -11,8 +11,8 @@
 
 namespace coppermoon::povray_scenes {
 
-/// Name of the sky's image beside moon.inc. It is a latitude–longitude image with north in the middle and east to the
-/// right of it.
+/// File name of the image of the sky, in the same folder as moon.inc. It is a latitude–longitude image with north in
+/// the middle and east to the right of north.
 inline constexpr const char* sky_file = "eclipse_sky.exr";
 
 /// The eclipsed Moon in an observer's sky, for a scene written by hand.
@@ -21,8 +21,8 @@ struct MoonInSky {
   std::string title;    ///< moment and place, for the first line of the include file
   almanac::ObserverView view;
   algebra::Angle axis_position_angle;
-  HorizonPlace place;                     ///< with refraction
-  algebra::Angle sun_altitude;            ///< without refraction
+  HorizonPlace place;                     ///< the Moon's place, with refraction
+  algebra::Angle sun_altitude;            ///< the Sun's altitude, without refraction
   double sky_cd_m2 = 0;                   ///< luminance of the clear sky at the zenith
   std::array<double, 3> illuminance_lux;  ///< linear Rec.709, on a surface that faces the Moon
   bool up = true;  ///< false if the whole disc is below the horizon, where only enlarging shows it
@@ -30,23 +30,23 @@ struct MoonInSky {
 
 /// A star or planet in an observer's sky.
 struct StarInSky {
-  HorizonPlace place;                     ///< with refraction
-  std::array<double, 3> illuminance_lux;  ///< linear Rec.709, on a surface that faces it
+  HorizonPlace place;                     ///< the star's place, with refraction
+  std::array<double, 3> illuminance_lux;  ///< linear Rec.709, on a surface that faces the star
 };
 
-/// The text of an include file for POV-Ray that shows stars with Eclipsed_Stars(Eye, Diameter, Distance). It includes
-/// coppermoon.inc.
+/// The text of an include file for POV-Ray with the macro Eclipsed_Stars(Eye, Diameter, Distance), which shows stars.
+/// The file includes coppermoon.inc.
 ///
-/// Given   title  as in MoonInSky
-///         stars  one or more
-/// Throws  Error  if the title has characters that POV-Ray's text cannot hold
+/// Given   title  moment and place, for the first line
+///         stars  one or more stars
+/// Throws  Error  if the title has characters that are not allowed in POV-Ray's text
 std::string star_include(const std::string& title, std::span<const StarInSky> stars);
 
-/// The text of an include file for POV-Ray. It has macros for the Moon, Eclipsed_Moon(Enlarged, Distance), for its
-/// light, Eclipsed_Moonlight(Factor), and for the sky, Eclipsed_Sky(Factor), and named constants with the numbers. It
-/// includes coppermoon.inc.
+/// The text of an include file for POV-Ray. It has macros for the Moon, Eclipsed_Moon(Enlarged, Distance), for
+/// moonlight, Eclipsed_Moonlight(Factor), and for the sky, Eclipsed_Sky(Factor). Named constants have the numbers of
+/// the MoonInSky. The file includes coppermoon.inc.
 ///
-/// Throws  Error  if the texture's name or the title has characters that POV-Ray's text cannot hold
+/// Throws  Error  if the texture's name or the title has characters that are not allowed in POV-Ray's text
 std::string moon_include(const MoonInSky& moon);
 
 /// The text of coppermoon.inc.

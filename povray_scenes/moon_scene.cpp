@@ -35,7 +35,7 @@ void require_texture_name(const std::string& name) {
 std::string pov_numbers(const glm::dvec3& v) { return fmt::format("{}, {}, {}", v.x, v.z, v.y); }
 std::string left_handed(const glm::dvec3& v) { return fmt::format("<{}>", pov_numbers(v)); }
 
-/// The matrix that flattens the Moon, as text for POV-Ray. It is symmetric, so its rows and columns are the same.
+/// The matrix that flattens the Moon, as text for POV-Ray. The matrix is symmetric, so rows can be written as columns.
 std::string squash(const SceneCamera& camera) {
   if (camera.flattening == 1) return {};
   const auto m = flattened_by_air(camera);
@@ -43,7 +43,7 @@ std::string squash(const SceneCamera& camera) {
                      m[2].y, m[1].x, m[1].z, m[1].y);
 }
 
-/// The text of POV-Ray's spheres for all stars and planets.
+/// The spheres for all stars and planets, as text for POV-Ray.
 std::string spheres_text(const MoonScene& scene) {
   std::string text;
   for (const auto& [centre, radius, luminance] : light_spheres(scene))
@@ -54,8 +54,8 @@ std::string spheres_text(const MoonScene& scene) {
   return text;
 }
 
-/// The text of a pane in front of the camera that shows the air's light. It extends half a step beyond the frame, since
-/// POV-Ray interpolates between the texels' centres.
+/// A pane in front of the camera that emits the air's light, as text for POV-Ray. The pane extends half a step beyond
+/// the frame, because POV-Ray interpolates between the centres of texels.
 std::string pane_text(const MoonScene& scene) {
   if (!scene.air) return {};
   const auto& [image, columns, rows, step] = *scene.air;
@@ -88,9 +88,9 @@ glm::dvec3 middle(const SceneCamera& camera) {
 }
 
 std::vector<LightSphere> light_spheres(const MoonScene& scene) {
-  constexpr double pi = std::numbers::pi, most_luminance = 3e4;  // half floats end at 65504
+  constexpr double pi = std::numbers::pi, most_luminance = 3e4;  // a half float is at most 65504
   const auto& camera = scene.camera;
-  // as close behind the Moon as possible, because POV-Ray does not bound objects beyond 1e6
+  // not far behind the Moon, because POV-Ray makes no bounding boxes for objects beyond 1e6 units
   const double away = 2 * glm::length(camera.position);
   const double pixel =
       2 * std::tan(in_radians(camera.horizontal_field) / 2) / static_cast<double>(camera.width);

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using algebra::Error;
 
-/// Parses POV-Ray's messages, which report frames, pixels and errors.
+/// Parses POV-Ray's messages about frames, rendered pixels and errors.
 struct Conversation {
   const Run& run;
   std::string line{}, last_line{}, complaint{};
@@ -44,7 +44,7 @@ struct Conversation {
     }
     line.clear();
   }
-  /// Collects POV-Ray's messages from the first error on. A line that begins with a space continues the one before.
+  /// Collects POV-Ray's messages from the first error on. A line that begins with a space continues the previous line.
   void heed() {
     const bool begun = !complaint.empty();
     if (!begun && line.find("rror") == std::string::npos) return;
@@ -54,7 +54,7 @@ struct Conversation {
   const std::string& last_words() const { return complaint.empty() ? last_line : complaint; }
 };
 
-/// POV-Ray's arguments for a window. Edges at 0 are left out, since POV-Ray reads numbers up to 1 as fractions.
+/// POV-Ray's arguments for part of the picture. Edges at 0 are left out, as POV-Ray reads numbers up to 1 as fractions.
 std::vector<std::string> words_for(const RenderWindow& window) {
   algebra::require_within("width of the window [pixels]",
                           static_cast<double>(window.right) - static_cast<double>(window.left), 2,
@@ -69,9 +69,9 @@ std::vector<std::string> words_for(const RenderWindow& window) {
   return words;
 }
 
-/// POV-Ray's own program for Windows has a window, and is told to render and to leave.
+/// POV-Ray's command line. On Windows, POV-Ray is a program with a window, and has to be told to render and to exit.
 ///
-/// Source  POV-Ray 3.7 for Windows, help, "Special Command-Line Options"; not tried, as there is none on Linux
+/// Source  help of POV-Ray 3.7 for Windows, "Special Command-Line Options"; not tested, as it does not run on Linux
 std::vector<std::string> command(const RenderSettings& settings, const Run& run) {
   std::vector<std::string> words{
       files::program_file(settings.povray, {"pvengine64.exe", "POV-Ray/v3.7/bin"})};
@@ -119,7 +119,7 @@ void run_povray(const RenderSettings& settings, const Draft& draft, const Run& r
   algebra::require_within("threads", settings.threads, 0, 512);
   algebra::require_within("timeout [s]", settings.timeout_s, 0, 1e7);
   std::vector<std::string> environment;
-  if (!run.with_users_settings)  // read only our own settings, not the user's
+  if (!run.with_users_settings)  // read the scene's settings instead of the user's povray.ini
     environment.push_back(std::string("POVINI=") + settings_file);
   Conversation heard{run};
   const bool well = files::run_heard({command(settings, run), "povray", draft.folder, environment},

@@ -36,11 +36,11 @@ void render_for(const std::function<void(const std::filesystem::path& exr)>& rea
 std::filesystem::path render_own(const std::filesystem::path& folder, const OwnScene& scene,
                                  const RenderSettings& settings) {
   const auto file = std::filesystem::absolute(scene.file);
-  files::name_also(file, folder / "scene.pov");  // POV-Ray takes plain names only
+  files::name_also(file, folder / "scene.pov");  // POV-Ray accepts only plain file names
   std::error_code failed;
   std::filesystem::create_directory_symlink(file.parent_path(), folder / "scene_folder", failed);
   const auto library = failed ? fmt::format("\"{}\"", file.parent_path().string()) : "scene_folder";
-  const auto last = std::max(scene.last, scene.first + 1);  // one frame alone has no clock
+  const auto last = std::max(scene.last, scene.first + 1);  // a single frame would have no clock
   MoonScene picture{.camera = {}, .texture = {}};
   picture.camera.width = scene.width;
   picture.camera.height = scene.height;

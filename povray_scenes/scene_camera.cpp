@@ -33,7 +33,7 @@ SceneCamera looking_from(const almanac::SkyState& sky, const glm::dvec3& positio
   return camera;
 }
 
-/// The direction in GCRS axes that corresponds to an altitude and azimuth in the observer's sky.
+/// The direction in GCRS axes to an altitude and azimuth in the observer's sky.
 glm::dvec3 direction_of(const HorizonPlace& place, const almanac::ObserverView& view) {
   const glm::dvec3 east = glm::normalize(glm::cross(view.north, view.zenith));
   const glm::dvec3 north = glm::cross(view.zenith, east);
@@ -42,7 +42,7 @@ glm::dvec3 direction_of(const HorizonPlace& place, const almanac::ObserverView& 
          std::sin(altitude) * view.zenith;
 }
 
-/// The rotation that takes the Moon from its apparent direction to its direction without refraction.
+/// The rotation from the Moon's apparent direction to its direction without refraction.
 glm::dmat3 without_refraction(const glm::dvec3& moon, const glm::dvec3& zenith) {
   const glm::dvec3 level = glm::cross(moon, zenith);
   const double across = glm::length(level);
@@ -159,7 +159,7 @@ std::optional<glm::dvec3> ground_at(const Sight& sight, const glm::dvec2& pixel)
       sight.round_from_flattened *
       glm::normalize(sight.corner + pixel.x * sight.across + pixel.y * sight.down);
   const glm::dvec3 from = sight.round_from_flattened * sight.position;
-  // Start from the ray's point nearest to the Moon's centre: the distance from a far camera would lose digits.
+  // Count from the point of the ray nearest to the Moon's centre: distances from a far camera would lose digits.
   const double squared = glm::dot(ray, ray), away = -glm::dot(from, ray) / squared;
   const glm::dvec3 nearest = from + away * ray;
   const double inside = 1 - glm::dot(nearest, nearest);

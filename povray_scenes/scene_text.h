@@ -13,18 +13,18 @@ namespace coppermoon::povray_scenes {
 
 /// A frame's camera as text for POV-Ray.
 struct CameraText {
-  std::string location, sky, look_at;  ///< vectors
-  std::string squash;                  ///< nine numbers of a matrix; empty if the disc is round
+  std::string location, sky, look_at;  ///< vectors in POV-Ray's notation
+  std::string squash;                  ///< nine numbers that flatten the disc; empty if it is round
 };
 CameraText camera_text(const SceneCamera& camera);
 
-/// The point shown in the middle of the picture, Moon-fixed, in lunar radii.
+/// The point shown in the middle of the picture, in Moon-fixed axes and lunar radii.
 glm::dvec3 middle(const SceneCamera& camera);
 
-/// An emitting sphere that yields a light's illuminance at the camera.
+/// An emitting sphere that gives the illuminance of a star or planet at the camera.
 struct LightSphere {
-  glm::dvec3 centre;                      ///< Moon-fixed, in the scene's units
-  double radius;                          ///< in the scene's units
+  glm::dvec3 centre;                      ///< in Moon-fixed axes and lunar radii
+  double radius;                          ///< in lunar radii
   std::array<double, 3> luminance_cd_m2;  ///< linear Rec.709
 };
 std::vector<LightSphere> light_spheres(const MoonScene& scene);
@@ -35,7 +35,7 @@ struct PovText {
   std::string location, sky, look_at;  ///< POV-Ray expressions for the camera's vectors
   std::string texture;                 ///< POV-Ray expression for the texture's file name
   std::string flattened;               ///< whole lines inside the sphere, which flatten it
-  std::string lights = {};             ///< whole lines for stars and planets, at the end
+  std::string lights = {};             ///< whole lines for stars and planets, at the text's end
 };
 
 /// The text of eclipse.pov.
@@ -44,19 +44,17 @@ std::string pov_text(const MoonScene& scene, const PovText& text);
 /// The text of eclipse.ini.
 ///
 /// Given  output     name of the frame's file
-///        animation  whole lines at the end
+///        animation  whole lines for an animation, at the end of the text
 std::string ini_text(const MoonScene& scene, const std::string& output,
                      const std::string& animation);
 
-/// Refuses a scene for which to_pov would throw, with the same errors.
+/// Throws the same errors for a scene as to_pov.
 void require_renderable(const MoonScene& scene);
 
-/// Creates a folder unless it exists. All but the last part of its path must exist already.
-///
-/// Throws  Error
+/// Creates a folder unless it exists. Throws an Error if this fails; the folder that contains it must exist.
 void require_folder(const std::filesystem::path& folder);
 
-/// Writes eclipse.pov and eclipse.ini into a folder, which is created if only the last part of its path is missing.
+/// Writes eclipse.pov and eclipse.ini into a folder, which require_folder creates.
 void write_texts(const std::filesystem::path& folder, const std::string& pov,
                  const std::string& ini);
 

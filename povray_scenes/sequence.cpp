@@ -61,7 +61,7 @@ void require_renderable(const Sequence& sequence) {
     require_frame(sequence, frame);
 }
 
-/// The text of an array in POV-Ray's language, with one element for each frame.
+/// An array with one element for each frame, as text for POV-Ray.
 template <class ElementOf>
 std::string array(std::string_view name, const std::vector<CameraText>& frames, ElementOf element) {
   std::string text = fmt::format("#declare {} {{\n", name);
@@ -111,7 +111,7 @@ std::size_t frame_in_settings(const std::filesystem::path& folder, std::string_v
   throw Error(fmt::format("{}: no sequence of frames", (folder / settings_file).string()));
 }
 
-/// Passes the frames of a run to a callback as they are finished.
+/// Passes each frame of a run to a callback when it is finished.
 struct Delivery {
   const Draft& draft;
   const FrameDone& frame_done;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vocabulary for results that describe themselves. Beside each result type stands a function
+// Types for results that describe themselves. For each type of result there is a function
 //
 //     template <class Field>
 //     void describe(Field&& is, const Result& result);
@@ -7,7 +7,7 @@
 // which calls `is.a(name, meaning)` for the result, and `is(key, value, unit, meaning)` for each of its values; the
 // unit may be left out. A value is a number, a string, an Angle (in degrees), an Instant, a list, a grid, another
 // result, a type from this file, an optional of these, or a function without arguments that returns one of them.
-// `describe` is also called with a result of default values, just to learn the keys, kinds, units and meanings.
+// `describe` is also called with a default-constructed result, only to learn the keys, kinds, units and meanings.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@
 
 namespace coppermoon::algebra {
 
-/// The unit of a value, as written in documents.
+/// Unit of a value, as written in documentation and JSON.
 struct Unit {
   std::string_view name;
 };
@@ -33,7 +33,7 @@ inline constexpr Unit none{""}, degrees{"degrees"}, metres{"m"}, kilometres{"km"
     luminance{"cd/m²"}, illuminance{"lx"}, stops{"stops"}, pixels{"pixels"}, bytes{"bytes"};
 }  // namespace unit
 
-/// An optional value. If it is missing, documents leave out its key; for a plain std::optional they write null instead.
+/// Optional value. If it is missing, JSON leaves out its key, whereas a missing plain std::optional is written as null.
 template <class Value>
 struct IfAny {
   std::optional<Value> value;
@@ -44,11 +44,11 @@ IfAny<Value> if_any(std::optional<Value> value) {
   return {std::move(value)};
 }
 
-/// A value of an optional thing. Documents leave out its key if the thing is missing, and write null if the thing has
-/// no such value.
+/// Value that belongs to an optional object. JSON leaves out the key if the object is missing, and writes null if the
+/// object exists but has no such value.
 ///
-/// Given  thing  optional, or a pointer
-///        value  function of the thing, or a pointer to its member
+/// Given  thing  the object: a std::optional, or a pointer
+///        value  function of the object, or a pointer to one of its members
 template <class Thing, class Function>
 auto of_any(const Thing& thing, Function&& value) {
   using Value = std::remove_cvref_t<std::invoke_result_t<Function, decltype(*thing)>>;
@@ -56,17 +56,16 @@ auto of_any(const Thing& thing, Function&& value) {
                             : std::nullopt};
 }
 
-/// Named values, which become an object in documents.
+/// Named values, which become an object in JSON.
 template <class Value>
 using ByName = std::vector<std::pair<std::string, Value>>;
 
-/// A word, and all words that are allowed.
+/// A word, with the list of all words that are allowed in its place.
 struct Word {
   std::string_view word;
   std::vector<std::string_view> allowed;
 };
 
-/// Converts an optional angle to degrees.
 inline std::optional<double> in_degrees(const std::optional<Angle>& angle) {
   return angle ? std::optional(in_degrees(*angle)) : std::nullopt;
 }

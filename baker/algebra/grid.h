@@ -27,7 +27,7 @@ struct ZeroedMemory {
     throw std::bad_alloc();
   }
   void deallocate(T* memory, std::size_t) { std::free(memory); }
-  /// Leaves the value at zero, as it was allocated.
+  /// Does nothing, because the allocated memory is already zero.
   void construct(T*) {}
   template <class... Arguments>
   void construct(T* at, Arguments&&... arguments) {

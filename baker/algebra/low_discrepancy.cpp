@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::size_t digits = std::bit_width(points_a_block) - 1;
 
-using Directions = std::array<std::uint32_t, digits>;  // one per binary digit of a point's index
+using Directions = std::array<std::uint32_t, digits>;  // one number per binary digit of an index
 
-/// A primitive polynomial over the binary field, given by its degree and its inner coefficients, and the first numbers
+/// Primitive polynomial over the binary field, given by its degree and its inner coefficients, with the initial numbers
 /// of the recurrence that it defines.
 struct Polynomial {
   std::size_t degree;
@@ -58,7 +58,7 @@ std::uint32_t sobol(const Directions& v, std::size_t point) {
   return value;
 }
 
-/// A source of random bits. Each uniform random number yields 32 bits.
+/// Source of random bits. Each uniform random number supplies 32 bits.
 class Bits {
  public:
   explicit Bits(Random& random) : random_(random) {}

@@ -5,7 +5,7 @@
 
 namespace coppermoon::algebra {
 
-/// Callback that receives, now and then, from any thread, the fraction of the work that is done, 0 to 1. May be empty.
+/// Callback for progress, called now and then, from any thread, with the fraction of work done, 0 to 1. May be empty.
 using Progress = std::function<void(double)>;
 
 }  // namespace coppermoon::algebra

@@ -7,7 +7,7 @@
 
 namespace coppermoon::algebra {
 
-/// A number with a dimension, so that passing a wavelength for a length does not compile.
+/// A number with a dimension, so that passing a wavelength where a length is expected does not compile.
 /// Values are made and read only through functions that name the unit (`kilometres(42)`, `in_metres(x)`).
 template <class Dimension>
 class Quantity {
@@ -30,9 +30,9 @@ class Quantity {
   double value_ = 0;
 };
 
-using Angle = Quantity<struct AngleDimension>;            ///< kept in radians
-using Length = Quantity<struct LengthDimension>;          ///< kept in metres
-using Wavelength = Quantity<struct WavelengthDimension>;  ///< kept in nanometres
+using Angle = Quantity<struct AngleDimension>;            ///< stored in radians
+using Length = Quantity<struct LengthDimension>;          ///< stored in metres
+using Wavelength = Quantity<struct WavelengthDimension>;  ///< stored in nanometres
 
 constexpr Length metres(double x) { return Length(x); }
 constexpr Length kilometres(double x) { return Length(x * 1e3); }
@@ -45,7 +45,7 @@ constexpr double in_radians(Angle x) { return x.in_kept_unit(); }
 constexpr double in_degrees(Angle x) { return x.in_kept_unit() * 180 / std::numbers::pi; }
 constexpr double in_arcminutes(Angle x) { return in_degrees(x) * 60; }
 
-/// An angle reduced to the range 0 to 2π (2π itself only through rounding).
+/// Reduces an angle to the range from 0 to 2π. The result is 2π itself only because of rounding.
 inline Angle within_circle(Angle x) {
   const Angle circle = radians(2 * std::numbers::pi);
   const Angle rest = radians(std::fmod(in_radians(x), in_radians(circle)));

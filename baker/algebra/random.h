@@ -7,18 +7,18 @@
 
 namespace coppermoon::algebra {
 
-/// Philox 4x32-10: four random words that are a function of the counter and the key alone.
+/// Random generator Philox 4x32-10. Its four random words depend only on the counter and the key.
 ///
 /// Source  Salmon, Moraes, Dror & Shaw (2011), Parallel random numbers: as easy as 1, 2, 3, SC11
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
                                     std::array<std::uint32_t, 2> key);
 
-/// Random numbers for one photon. `seed` and `index` alone determine the stream, regardless of the thread.
+/// Sequence of random numbers for one photon. It depends only on `seed` and `index`, not on the thread.
 class Random {
  public:
   Random(std::uint64_t seed, std::uint64_t index) : seed_(seed), index_(index) {}
 
-  /// Uniform in [0, 1), with 53 random bits.
+  /// Next random number, uniform in [0, 1), with 53 random bits.
   double uniform();
 
  private:

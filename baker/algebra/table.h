@@ -16,21 +16,21 @@ struct Table {
   const std::vector<double>& operator[](std::string_view column) const;
 };
 
-/// The text of a file as editors of any system save it, without a byte-order mark.
+/// Text of a UTF-8 file, without the byte-order mark that some editors write.
 ///
-/// Given   name   of the file, for the message
+/// Given   name   name of the file, for the error message
 /// Throws  Error  if the text is in UTF-16
 std::string_view utf8_text(std::string_view bytes, std::string_view name);
 
-/// Reads comma-separated text: lines that begin with `#` are comments, the first other line names
-/// the columns, all further lines are numbers.
+/// Reads comma-separated text. Lines that begin with `#` are comments. The first other line names the columns, and all
+/// further lines hold numbers.
 ///
 /// Given     text   the table
 ///           name   the table's name in error messages
 /// Throws    Error  "<name>:<line>: …" if a cell is not a number or a line has the wrong length
 Table parse_table(std::string_view text, std::string_view name);
 
-/// Splits comma-separated text into cells [row][column], of which the header is the first row. Comments are left out.
+/// Splits comma-separated text into cells, indexed by [row][column]. Row 0 is the header. Comments are left out.
 std::vector<std::vector<std::string>> parse_text_table(std::string_view text);
 
 }  // namespace coppermoon::algebra

@@ -13,10 +13,10 @@ namespace coppermoon::almanac {
 /// Source  Meeus (1998), Astronomical Algorithms, chapter 7: from Julian days to calendar dates
 std::string date_in(Calendar calendar, const std::string& date);
 
-/// A moment in UTC as in ISO 8601, but with the date in the given calendar: ISO 8601 itself is always Gregorian.
+/// A moment in UTC in the format of ISO 8601, but with its date in the given calendar. ISO 8601 itself is Gregorian.
 std::string utc_text(const Instant& instant, Calendar calendar, int decimals = 0);
 
-/// The date of a moment in UTC, such as "2018-07-27", and its time of day to the second, such as "20:21:45".
+/// The UTC date of a moment, such as "2018-07-27", and its time of day to the second, such as "20:21:45".
 std::string date_text(const Instant& instant, Calendar calendar = Calendar::gregorian);
 std::string time_of_day_text(const Instant& instant);
 

@@ -103,7 +103,7 @@ double delta_t_s(const Instant& instant) {
   if (delta_t_is_predicted(instant)) return predicted_s(tt);
   const double first_tt = first_leap_second_day + 42.184 / seconds_per_day;
   if (tt >= first_tt) return tabulated_s(instant);
-  double delta = 0;  // the polynomials need UT: iterate until it is known to 0.01 s
+  double delta = 0;  // the polynomials need UT, so iterate until UT is known to 0.01 s
   for (int round = 0; round < 3; ++round)
     delta = espenak_meeus_2006_s(julian_year(tt - delta / seconds_per_day));
   return delta;

@@ -22,7 +22,7 @@ EarthMotion earth_at(const Instant& instant);
 /// Source  ERFA eraAb
 glm::dvec3 aberrated(const glm::dvec3& direction, const EarthMotion& earth);
 
-/// Rotates a vector from the axes of the mean ecliptic and equinox of 2000 to GCRS axes.
+/// Rotates a vector from the axes of the mean ecliptic and equinox of J2000 to GCRS axes.
 glm::dvec3 gcrs_from_ecliptic(const glm::dvec3& of_2000);
 
 /// Mutex to hold during every call to libnova, which keeps its state in static variables.

@@ -23,7 +23,7 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-/// The rows of a table without its heading. The plain form of each row's name is added as a last cell.
+/// The rows of a table, without its heading. The name in each row, as plain_name writes it, is added as a last cell.
 Rows rows_of(std::string_view text, std::size_t name_column = 0) {
   auto rows = algebra::parse_text_table(text);
   rows.erase(rows.begin());
@@ -51,7 +51,7 @@ City city_in(const std::vector<std::string>& row) {
           row[5]};
 }
 
-/// The file with the user's own cities; empty if the user has no home folder.
+/// The path of the file with the user's own cities; an empty path if the user has no home folder.
 std::filesystem::path own_cities_file() {
   const auto variable = [](const char* name) -> std::filesystem::path {
     const char* const value = std::getenv(name);
@@ -65,7 +65,7 @@ std::filesystem::path own_cities_file() {
   return home.empty() ? home : home / ".config" / "coppermoon" / "cities.csv";
 }
 
-/// Reads and checks the rows of the user's own file of cities. The file may have a heading or not.
+/// Reads and checks the rows of the user's own file of cities. The file may or may not have a heading.
 Rows own_rows() {
   const auto path = own_cities_file();
   std::ostringstream bytes;
@@ -126,10 +126,10 @@ bool is_name(const std::string& known, std::string_view name) {
 /// A region, state or country.
 struct Area {
   std::vector<std::string> regions;  ///< plain names of the regions in this area
-  std::string time_zones = " ";      ///< zones in this area, each with spaces around it
+  std::string time_zones = " ";      ///< IANA names, with a space before and after each
 };
 
-/// The area with a given name, which is a region's name or one that areas.csv lists. Dots, as in "D.C.", are ignored.
+/// The area with a given name, which may be a region's name or a name in areas.csv. Dots, as in "D.C.", are ignored.
 Area area_named(std::string_view name) {
   static const Rows rows = rows_of(tables::areas());
   const auto plain = plain_name(name);
@@ -144,7 +144,7 @@ Area area_named(std::string_view name) {
   return area;
 }
 
-/// Reads the areas named after a city: one, or several separated by commas, as in "Illinois, USA".
+/// Reads the areas that follow a city's name: one area, or several separated by commas, as in "Illinois, USA".
 std::vector<Area> areas_in(std::string_view text) {
   std::vector<Area> areas;
   std::istringstream parts{std::string(text)};
@@ -160,9 +160,9 @@ bool is_in(const std::vector<Area>& areas, const std::vector<std::string>& city)
   });
 }
 
-/// The rows with a given name; if there are none, the rows whose names contain it as whole words.
+/// The rows with a given name or, if there are none, the rows whose names contain it as whole words.
 ///
-/// Given  areas  a city must be in all of these
+/// Given  areas  the city must be in all of these areas
 Rows rows_named(const Rows& rows, std::string_view name, const std::vector<Area>& areas = {}) {
   const auto wanted = plain_name(name), spelt = plain_name(without_umlauts(name)),
              whole_words = " " + wanted + " ";
@@ -186,8 +186,8 @@ std::string known_name(std::string_view name) {
   return std::string(name);
 }
 
-/// Splits a string at its first slash or comma into a city's name and its areas. The areas are empty if there is
-/// neither.
+/// Splits a string at its first slash or comma into a city's name and its areas. If there is neither a slash nor a
+/// comma, the areas are empty.
 std::pair<std::string_view, std::string_view> name_and_region(std::string_view text) {
   const auto end = text.find_first_of("/,");
   if (end == std::string_view::npos) return {algebra::without_spaces(text), {}};
@@ -197,7 +197,7 @@ std::pair<std::string_view, std::string_view> name_and_region(std::string_view t
 
 std::string as_written(const City& city) { return city.name + "/" + city.region; }
 
-/// The first five words at most, separated by commas, and the number of words left out.
+/// A list of at most the first five words, separated by commas, followed by the number of words that are left out.
 std::string listed(std::vector<std::string> words) {
   constexpr std::size_t most = 5;
   const auto left = words.size() > most ? words.size() - most : 0;
@@ -212,7 +212,7 @@ std::vector<std::string> names_in(const Rows& rows) {
   return names;
 }
 
-/// Cosine of the angle between two places as seen from the Earth's centre.
+/// Cosine of the angle between two places, as seen from the Earth's centre.
 double nearness(const Observer& a, const Observer& b) {
   const double north_a = algebra::in_radians(a.latitude), north_b = algebra::in_radians(b.latitude);
   const double apart = algebra::in_radians(a.longitude) - algebra::in_radians(b.longitude);
@@ -236,7 +236,7 @@ std::string plain_name(std::string_view name) {
       text += plain.substr((byte - 0xC3U) * 64 + (next & 0x3FU)).front();
     } else if (byte == 0xC8 && i + 1 < name.size() && name[i + 1] >= '\x98' &&
                name[i + 1] <= '\x9B') {
-      text += "sstt"[static_cast<unsigned char>(name[++i]) - 0x98];  // Romanian: with a comma below
+      text += "sstt"[static_cast<unsigned char>(name[++i]) - 0x98];  // Romanian s, t with a comma
     } else if ((byte == 0xCC || byte == 0xCD) && i + 1 < name.size()) {
       ++i;  // skip a combining accent, which follows its letter
     } else {
@@ -269,7 +269,7 @@ static std::ptrdiff_t rank_of(const City& city) {
 }
 
 std::string city_taken(std::string_view name) {
-  constexpr int far_smaller = 10;  // a ratio of ranks, as population falls roughly as 1 / rank
+  constexpr int far_smaller = 10;  // ratio of ranks; population is roughly proportional to 1 / rank
   auto all = cities_named(name);
   if (all.empty() || all.front().own) return {};
   const auto known = known_name(name_and_region(name).first);

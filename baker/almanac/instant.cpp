@@ -22,19 +22,19 @@ struct CivilTime {
   int minutes_east = 0;  ///< offset from UTC
 };
 
-/// Whether a time of day is valid in some time zone. Second 60 may be a leap second; 24:00 is midnight, ending the day.
+/// Whether a time of day is valid in some time zone. Second 60 may be a leap second; 24:00 is the end of the day.
 bool is_time_of_day(const CivilTime& c) {
   const bool ends_day = c.hour == 24 && c.minute == 0 && c.second == 0;
   return (c.hour < 24 || ends_day) && c.minute < 60 && c.second < 61;
 }
 
-/// Reads the date, time of day and offset from an ISO 8601 text; empty if the text is not valid or the year is not
-/// allowed.
+/// Reads date, time of day and offset from UTC in an ISO 8601 text; nullopt if the text is not valid, or the year is
+/// outside −1999 to 3000.
 std::optional<CivilTime> civil_time(std::string_view text) {
   static const std::regex iso_8601(
       R"(([+-]?)(\d{4})(-?)(\d\d)\3(\d\d))"                   // date, with or without hyphens
       R"((?:[Tt ](\d\d)(:?)(\d\d)(?:\7(\d\d(?:\.\d+)?))?)?)"  // time of day
-      R"((?:([Zz])|([+-])(\d\d)(?::?(\d\d))?)?)");            // offset
+      R"((?:([Zz])|([+-])(\d\d)(?::?(\d\d))?)?)");            // offset from UTC
   constexpr std::size_t longest = 64;
   std::cmatch part;
   if (text.size() > longest ||
@@ -56,11 +56,11 @@ std::optional<CivilTime> civil_time(std::string_view text) {
   return sound ? std::optional(c) : std::nullopt;
 }
 
-/// Converts a moment to UTC and keeps second 60, which may be a leap second; empty if the date does not exist.
+/// Converts a moment to UTC and keeps second 60, which may be a leap second; nullopt if the date does not exist.
 std::optional<CivilTime> in_utc(CivilTime c) {
   constexpr int day_min = 24 * 60;
   const int minutes = 60 * c.hour + c.minute - c.minutes_east;
-  const int days = (minutes + 2 * day_min) / day_min - 2;  // round down: offsets are under two days
+  const int days = (minutes + 2 * day_min) / day_min - 2;  // rounded down, also if negative
   double day = 0, midnight = 0, fraction = 0;
   if (eraCal2jd(c.year, c.month, c.day, &day, &midnight) != 0) return std::nullopt;
   eraJd2cal(day, midnight + days, &c.year, &c.month, &c.day, &fraction);
@@ -70,7 +70,7 @@ std::optional<CivilTime> in_utc(CivilTime c) {
   return c;
 }
 
-/// Converts a date from the Julian to the Gregorian calendar; empty if the date does not exist.
+/// Converts a date from the Julian to the Gregorian calendar; nullopt if the date does not exist.
 ///
 /// Source  Meeus (1998), Astronomical Algorithms, chapter 7: from calendar dates to Julian days
 std::optional<CivilTime> in_gregorian(CivilTime c) {
@@ -92,10 +92,10 @@ Instant normalised(double day, double fraction) {
   return {day + whole, fraction - whole};
 }
 
-enum class Scale { utc, ut1 };  // UTC in years for which ERFA has leap seconds, otherwise UT1
+enum class Scale { utc, ut1 };  // UTC if ERFA has leap seconds for the year, otherwise UT1
 
 constexpr int dubious_year =
-    1;  // ERFA's status for days after its table of leap seconds; here, at the end of the table's last day
+    1;  // ERFA's status for dates after its table of leap seconds, including the end of the table's last day
 
 const char* name(Scale scale) { return scale == Scale::utc ? "UTC" : "UT1"; }
 

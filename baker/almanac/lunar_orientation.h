@@ -14,7 +14,7 @@ namespace coppermoon::almanac {
 /// Source  IAU WGCCRE 2009
 inline constexpr algebra::Length lunar_radius = algebra::kilometres(1737.4);
 
-/// A place on the Moon in the mean-Earth/polar-axis frame. Latitude is positive to the north, longitude to the east.
+/// A place on the Moon in the mean-Earth/polar-axis frame. Latitude is positive north, longitude is positive east.
 struct SelenographicPoint {
   algebra::Angle latitude, longitude;
 };
@@ -24,14 +24,14 @@ struct SelenographicPoint {
 ///
 ///     R = Rz(W) Rx(90° − δ₀) Rz(90° + α₀)        pole (α₀, δ₀), prime meridian W, in the ICRF
 ///
-/// Given     instant   when the light left the Moon
+/// Given     instant   the moment when the light left the Moon
 /// Accuracy  150 m on the Moon's surface, or 0.005°, according to the source's authors
 /// Source    Archinal et al. (2011), Celest. Mech. Dyn. Astron. 109, 101 (IAU WGCCRE 2009)
 glm::dmat3 selenographic_from_gcrs(const Instant& instant);
 
 /// The selenographic point that lies in a given direction from the Moon's centre.
 ///
-/// Given   position   vector from the Moon's centre in the Moon-fixed frame; of any length
+/// Given   position   vector of any length from the Moon's centre, in the Moon-fixed frame
 SelenographicPoint selenographic_point(const glm::dvec3& position);
 
 /// The unit vector from the Moon's centre to a place on the Moon, in the Moon-fixed frame.

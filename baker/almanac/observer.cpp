@@ -35,7 +35,7 @@ glm::dvec3 earth_fixed_position_m(const Observer& observer) {
   return {xyz[0], xyz[1], xyz[2]};
 }
 
-/// Unit vectors to the north, east and zenith of a place, as columns, in Earth-fixed axes. They exist at the poles too.
+/// Matrix with the unit vectors to a place's north, east and zenith as columns, in Earth-fixed axes, even at the poles.
 glm::dmat3 earth_fixed_horizon(const Observer& observer) {
   const double latitude = algebra::in_radians(observer.latitude),
                longitude = algebra::in_radians(observer.longitude);

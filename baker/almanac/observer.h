@@ -7,7 +7,7 @@
 
 namespace coppermoon::almanac {
 
-/// A place on the Earth: geodetic latitude in WGS 84, longitude (east positive) and height above the ellipsoid.
+/// A place on the Earth: geodetic latitude (WGS 84), longitude (positive east) and elevation above the ellipsoid.
 struct Observer {
   algebra::Angle latitude, longitude;
   algebra::Length elevation;
@@ -15,23 +15,23 @@ struct Observer {
 
 /// How an observer would see the Moon if there were no air.
 struct ObserverView {
-  glm::dvec3 position_m;             ///< of the observer, from the Earth's centre, in GCRS axes
+  glm::dvec3 position_m;             ///< vector from the Earth's centre, in GCRS axes
   glm::dvec3 zenith;                 ///< unit vector along the geodetic vertical, in GCRS axes
   glm::dvec3 north;                  ///< unit vector to the celestial pole of date, in GCRS axes
-  algebra::Angle altitude, azimuth;  ///< of the Moon's centre; azimuth from north through east
+  algebra::Angle altitude, azimuth;  ///< of the Moon's centre; azimuth is from north through east
   algebra::Angle
-      parallactic_angle;          ///< at the Moon, from celestial north to the zenith, through east
+      parallactic_angle;          ///< from celestial north through east to the zenith, at the Moon
   algebra::Length moon_distance;  ///< from the observer to the Moon's centre
-  SelenographicPoint sub_observer;  ///< middle of the disc: the topocentric libration
+  SelenographicPoint sub_observer;  ///< the place in the middle of the disc (topocentric libration)
 };
 
-/// Throws  Error  unless latitude is within ±90°, longitude within ±360° and elevation within −500 to 100 000 m
+/// Throws an Error unless latitude is within ±90°, longitude within ±360° and elevation within −500 to 100 000 m.
 void require_on_earth(const Observer& observer);
 
 /// The Moon as seen from a place on the Earth, without refraction.
 ///
-/// Omits   polar motion (0.6″), diurnal aberration (0.3″), UT1 − UTC (0.9 s, 14″ of azimuth)
-/// Throws  Error  like require_on_earth
+/// Omits   polar motion (0.6″), diurnal aberration (0.3″), UT1 − UTC (0.9 s, or 14″ in azimuth)
+/// Throws  Error  in the same cases as require_on_earth
 ObserverView view_from(const Observer& observer, const SkyState& sky);
 
 }  // namespace coppermoon::almanac

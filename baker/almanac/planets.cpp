@@ -57,7 +57,7 @@ double venus(const Aspect& a) {
              : polynomial(phase, std::array{236.05828, -2.81914, 8.39034e-3});
 }
 
-/// Magnitude of Mars, valid for phase angles up to 50 degrees; seen from the Earth, they are at most 47 degrees.
+/// Magnitude of Mars, valid for phase angles up to 50 degrees. As seen from the Earth, they are at most 47 degrees.
 double mars(const Aspect& a) {
   return polynomial(a.phase_deg(), std::array{-1.601, 2.267e-2, -1.302e-4});
 }
@@ -66,7 +66,7 @@ double jupiter(const Aspect& a) {
   return polynomial(a.phase_deg(), std::array{-9.395, -3.7e-4, 6.16e-4});
 }
 
-/// Magnitude of Saturn with its rings. It depends on the latitudes of the Sun and the Earth above the rings' plane.
+/// Magnitude of Saturn with its rings. It depends on the elevations of the Sun and the Earth above the rings' plane.
 double saturn(const Aspect& a) {
   const double centuries = (a.year - 2000) / 100;
   const double right_ascension = (40.589 - 0.036 * centuries) * degree,
@@ -89,7 +89,7 @@ double neptune(const Aspect& a) { return -6.89 - 0.0055 * std::clamp(a.year - 19
 struct Model {
   std::string_view name;
   void (*heliocentric)(double, ln_helio_posn*);
-  double (*magnitude)(const Aspect&);  ///< reduced to 1 au from both the Sun and the Earth
+  double (*magnitude)(const Aspect&);  ///< at 1 au from both the Sun and the Earth
   double b_minus_v, radius_km;
 };
 
@@ -116,7 +116,7 @@ glm::dvec3 heliocentric_au(const Model& model, const Instant& instant) {
 Planet seen(const Model& model, const Instant& instant, const EarthMotion& earth) {
   Aspect aspect{heliocentric_au(model, instant), {}, year_of(instant)};
   aspect.from_earth_au = aspect.from_sun_au - earth.heliocentric_au;
-  for (int pass = 0; pass < 2; ++pass) {  // each pass divides the error from light time by 1e4
+  for (int pass = 0; pass < 2; ++pass) {  // each pass divides the error in light time by 1e4
     const Instant then = later(instant, -aspect.earth_au() * ERFA_AULT);
     const EarthMotion earth_then = earth_at(then);
     aspect.from_sun_au = heliocentric_au(model, then);

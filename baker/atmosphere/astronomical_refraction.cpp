@@ -9,7 +9,7 @@
 namespace coppermoon::atmosphere {
 namespace {
 
-/// Refraction by Saemundsson's formula, also slightly beyond the zenith, where a disc near the zenith has its limb.
+/// Refraction by Saemundsson's formula. The altitude may slightly exceed 90 degrees, for a disc's limb near the zenith.
 algebra::Angle refraction_saemundsson_1986(algebra::Angle true_altitude) {
   const double h = std::max(algebra::in_degrees(true_altitude), -1.0);
   const double tangent = std::tan(algebra::in_radians(algebra::degrees(h + 10.3 / (h + 5.11))));

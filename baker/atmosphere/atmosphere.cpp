@@ -41,8 +41,8 @@ void require_valid(const Column& column) {
     throw algebra::Error("density = seasonal, allowed with the air of a latitude and a season");
 }
 
-/// Altitudes where the slope of the density jumps [m]. Seasonal air has no jumps; for it, these are altitudes that
-/// split the air into parts which a few nodes integrate well.
+/// Altitudes where the slope of the density jumps [m]. Seasonal air has no such jumps. It is divided at altitudes
+/// between which a quadrature with few nodes is accurate.
 std::vector<double> density_breaks(const Column& column) {
   if (column.density == Density::seasonal)
     return {column.tropopause_m - tropopause_wander_m, column.tropopause_m + tropopause_wander_m,
@@ -59,7 +59,7 @@ Edges around_the_tropopause(const Column& column) {
   return {column.tropopause_m - tropopause_wander_m, column.tropopause_m + tropopause_wander_m};
 }
 
-/// Albedo times Henyey and Greenstein's phase function, ω P(χ) / (4π).
+/// Single-scattering albedo ω times Henyey and Greenstein's phase function: ω P(χ) / (4π) [1/sr].
 double henyey_greenstein(double albedo, double g, double cosine) {
   return albedo * (1 - g * g) / std::pow(1 + g * g - 2 * g * cosine, 1.5) / (4 * std::numbers::pi);
 }
@@ -85,16 +85,17 @@ algebra::Wavelength wavelength_of(const Optics& optics) {
   return algebra::nanometres(optics.wavelength_nm);
 }
 
-/// Row in the table of absorbers.
+/// One row of the table of absorbers.
 struct Constituent {
   Absorber absorber;
   std::string_view group;
   bool (*in)(const Column&);
   double (*profile)(const Column&, double altitude_m);
   double (*spectrum)(const Column&, const Optics&);
-  double (*scattering)(const Column&, double cosine) = nullptr;  ///< null if it only absorbs
-  Edges (*edges)(const Column&) = nullptr;                       ///< null means the density's
-  double Column::*cloud_or_aerosol = nullptr;  ///< its amount, if cloud or aerosol
+  double (*scattering)(const Column&, double cosine) = nullptr;  ///< nullptr for a pure absorber
+  /// Edges of the profile; nullptr means that they are those of the density.
+  Edges (*edges)(const Column&) = nullptr;
+  double Column::*cloud_or_aerosol = nullptr;  ///< amount, if the constituent is cloud or aerosol
 };
 
 constexpr std::array<Constituent, absorbers> constituents{{
@@ -181,7 +182,7 @@ constexpr std::array<Constituent, absorbers> constituents{{
      }},
 }};
 
-/// Profiles of the absorbers k…, unrolled so that the compiler knows each row of the table and inlines its functions.
+/// Profiles of the absorbers with the indices k, which are known at compile time so that all functions are inlined.
 template <std::size_t... k>
 Amounts profiles_of_rows(const Column& column, double altitude_m, std::index_sequence<k...>) {
   static_assert(((constituents[k].absorber == k) && ...));
@@ -202,7 +203,7 @@ constexpr std::array amounts_that_may_differ{&Column::dust_extinction_per_m, &Co
                                              &Column::cloud_cover, &Column::cloud_per_m,
                                              &Column::stratospheric_factor};
 
-/// All columns of an atmosphere, including those that belts replace.
+/// All columns of an atmosphere, including those that are replaced by belts.
 std::vector<Column*> every_column(Atmosphere& air) {
   std::vector<Column*> all;
   const auto add = [&](Column& column, Belts& belts) {
@@ -436,7 +437,7 @@ std::vector<double> breaks_m(const Column& column) {
     if (one.edges && one.in(column))
       for (const double edge : one.edges(column)) breaks.push_back(edge);
   std::sort(breaks.begin(), breaks.end());
-  std::erase_if(breaks, [&](double h) { return h > top - 1; });  // drop the top, added below
+  std::erase_if(breaks, [&](double h) { return h > top - 1; });  // the top is added below
   breaks.push_back(top);
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
   return breaks;

@@ -19,43 +19,43 @@
 
 namespace coppermoon::atmosphere {
 
-/// How the density of the air varies with altitude: no air; US 1976 with the ramp of Yapo & Cutler (2009), which ends
-/// at 42 km; US 1976 up to 86 km; by latitude and season (SeasonalAir), up to 86 km.
+/// Models of the air's density: no air; US Standard Atmosphere 1976, tapered to 0 at 42 km as by Yapo & Cutler (2009);
+/// the same up to 86 km without a taper; air that depends on latitude and season (SeasonalAir), up to 86 km.
 enum class Density { none, yapo_cutler, us_1976, seasonal };
 
-/// How ozone absorbs: as one filter for all light that passed the limb, or along each ray's own path.
+/// How ozone absorbs light: as one filter for all light that passed the limb, or along the bent path of each ray.
 enum class OzonePath { filter, bent };
 
-/// Air over one part of the limb. Each term can be switched off. The tables for a latitude and a
+/// Air over one part of the limb. Each constituent and effect can be switched off. The tables for a latitude and a
 /// month (`seasonal_air` and others) are immutable and shared between columns.
 struct Column {
   Density density = Density::yapo_cutler;
   bool refraction = true;  ///< if false, light goes straight through the air
   bool rayleigh = true;    ///< if false, molecules do not scatter
-  double ozone_du = 0;     ///< vertical column [DU]; 0 means none
+  double ozone_du = 0;     ///< vertical column of ozone [DU]; 0 means no ozone
   OzonePath ozone_path = OzonePath::filter;
-  double dust_extinction_per_m = 0;  ///< grey extinction α of the dust layer, 0 (none) to 0.01 m⁻¹
+  double dust_extinction_per_m = 0;  ///< grey extinction of the dust layer, 0 (no dust) to 0.01 m⁻¹
   double dust_bottom_m = 15e3, dust_top_m = 20e3;
-  double tropospheric_optical_depth = 0;  ///< vertical, of aerosol at 550 nm; 0 (none) to 10
+  double tropospheric_optical_depth = 0;  ///< vertical, at 550 nm; 0 (no aerosol) to 10
   double tropospheric_scale_m = 2e3;      ///< scale height of tropospheric aerosol, 500 to 10 000 m
   StratosphericAerosol stratosphere = StratosphericAerosol::none;
   double stratospheric_factor =
-      1;  ///< factor on `stratosphere` or `stratospheric_layer`, 0 (off) to 100
+      1;  ///< multiplies the extinction by `stratosphere` or `stratospheric_layer`; 0 (off) to 100
   double cloud_top_m = 10e3;
-  double cloud_cover = 0;  ///< share of the limb where cloud stops rays below its top, 0 to 1
+  double cloud_cover = 0;  ///< share of the limb where cloud stops rays below cloud_top_m, 0 to 1
 
-  double tropopause_m = 11e3;  ///< altitude, 5 to 20 km; the next three terms depend on it
+  double tropopause_m = 11e3;  ///< altitude, 5 to 20 km; the next three members depend on it
   double cloud_per_m = 0;      ///< probability of meeting cloud per metre of path, 0 to 0.01
-  double cirrus = 0;           ///< factor on cirrus_extinction_per_m, 0 (off) to 100
-  /// extinction by the free troposphere's aerosol at 7 km and 550 nm [m⁻¹], 0 (off) to 0.01
+  double cirrus = 0;           ///< multiplies cirrus_extinction_per_m; 0 (off) to 100
+  /// Extinction by aerosol in the free troposphere, at an altitude of 7 km and at 550 nm [m⁻¹]; 0 (off) to 0.01.
   double free_troposphere_per_m = 0;
   bool oxygen_pairs = false, nitrogen_dioxide = false;  ///< whether oxygen pairs and NO₂ absorb
   bool oxygen_bands = false;                            ///< whether the bands of oxygen absorb
-  double water_vapour = 0;  ///< relative to the US standard atmosphere, 0 (none) to 1000
-  std::shared_ptr<const SeasonalAir> seasonal_air{};  ///< needed by Density::seasonal
+  double water_vapour = 0;  ///< amount relative to the US standard atmosphere, 0 (none) to 1000
+  std::shared_ptr<const SeasonalAir> seasonal_air{};  ///< required if `density` is `seasonal`
   std::shared_ptr<const OzoneClimate>
-      ozone_climate{};  ///< profile of ozone; if null, that of US 1976
-  /// replaces `stratosphere` unless null
+      ozone_climate{};  ///< profile of ozone; nullptr means that of US 1976
+  /// If not nullptr, this replaces `stratosphere`.
   std::shared_ptr<const StratosphericLayer> stratospheric_layer{};
 
   bool operator==(const Column&) const = default;
@@ -64,25 +64,25 @@ struct Column {
 /// Altitude where a column's air ends [m]: 0, 42 000 or 86 000.
 double top_m(const Column& column);
 
-/// Air at a given angle from north along the limb, on its eastern and its western side alike.
+/// Air at a given angle from north along the limb, the same on the eastern and the western side.
 struct Belt {
-  double from_north_rad;  ///< angle, 0 to π
+  double from_north_rad;  ///< angle along the limb, 0 to π
   Column column{};
 
   bool operator==(const Belt&) const = default;
 };
 
-/// Belts from north to south. Between two belts, light is interpolated linearly in the position angle; north of
-/// the first belt and south of the last, light is constant.
+/// Belts from north to south. Between two belts, the light is interpolated linearly in the position angle; north of the
+/// first belt and south of the last, it is constant.
 using Belts = std::vector<Belt>;
 
-/// Part of the limb with air of its own, which extends from one position angle through east to another. Position angles
-/// are measured at the Earth, about the shadow axis, from celestial north through east.
+/// Part of the limb with its own air, from one position angle through east to another. Position angles are measured at
+/// the Earth, about the shadow axis, from celestial north through east.
 struct Region {
   algebra::Angle from, to;
   Column column{};
-  Belts belts{};          ///< replace `column` unless empty
-  bool mirrored = false;  ///< whether the region also covers the negatives of its angles
+  Belts belts{};          ///< if not empty, these replace `column`
+  bool mirrored = false;  ///< whether the region also covers the same angles with opposite sign
 
   bool operator==(const Region&) const = default;
 };
@@ -96,7 +96,7 @@ std::optional<Region> between_latitudes(algebra::Angle south, algebra::Angle nor
                                         algebra::Angle sun_declination, const Column& column);
 
 enum class Dispersion { crc, ciddor_1996 };
-enum class KingFactor { fixed, bates_1984 };  ///< `fixed` means 1.050
+enum class KingFactor { fixed, bates_1984 };  ///< `fixed` means F = 1.050
 
 /// Models of refraction and scattering by the molecules of the air.
 struct Molecules {
@@ -106,24 +106,25 @@ struct Molecules {
   bool operator==(const Molecules&) const = default;
 };
 
-/// Earth and its air. At each position angle the first region that contains it determines the air; outside all regions,
-/// `column` or `belts` do. The defaults are the sphere and the air of Yapo & Cutler (2009), without ozone and dust.
+/// The Earth and its air. The first region that contains a position angle determines the air there; outside all
+/// regions, `column` or `belts` do. The defaults are the sphere and air of Yapo & Cutler (2009), without ozone and
+/// dust.
 struct Atmosphere {
   Figure earth{};
   Molecules molecules{};
   Column column{};  ///< air outside all regions
-  Belts belts{};    ///< air outside all regions; they replace `column` unless empty
+  Belts belts{};    ///< air outside all regions; if not empty, these replace `column`
   std::vector<Region> regions{};
 
   bool operator==(const Atmosphere&) const = default;
 
   /// Weight of a column's light at a position angle.
   struct Share {
-    std::size_t column;  ///< index in `columns`
+    std::size_t column;  ///< index into columns()
     double share;
   };
 
-  /// Whether the whole limb has one column.
+  /// Whether the air is the same along the whole limb.
   bool one_column() const { return regions.empty() && belts.empty(); }
   /// Whether some part of the limb lies between belts.
   bool belted() const { return columns().size() > 1 + regions.size(); }
@@ -134,43 +135,43 @@ struct Atmosphere {
   /// Altitude where the air of the highest column ends [m].
   double top_m() const;
   double top_radius_m() const { return earth.equatorial_radius_m + top_m(); }
-  /// The columns outside all regions, followed by those of each region. Belts, if there are any, replace a column.
+  /// The columns outside all regions, followed by those of each region. If there are belts, they replace the column.
   std::vector<const Column*> columns() const;
   /// Number of the region that contains a position angle, counted from 1; 0 outside all regions.
   std::size_t region_index(double position_angle_rad) const;
   /// Weights of the light from two columns at a position angle, which add up to 1. Without belts the second is 0.
   std::array<Share, 2> shares_at(double position_angle_rad) const;
-  /// Position angles, increasing from 0 to 2π, between which the weights of all columns are smooth: the borders of
+  /// Position angles, increasing from 0 to 2π, between which the weights of all columns vary smoothly: the borders of
   /// regions and the middles of belts.
   std::vector<double> seams_rad() const;
-  /// For each column, whether it has a weight anywhere on the limb.
+  /// For each column, whether its weight is above 0 anywhere on the limb.
   std::vector<bool> columns_in_use() const;
 };
 
-/// Reduces an atmosphere to every third of its belts, and keeps the first and the last, for a fast but coarse result.
+/// Atmosphere with only every third belt, and with the first and the last, for a fast but coarse result.
 Atmosphere with_fewer_belts(Atmosphere atmosphere);
 
-/// Combines several atmospheres: each column of the result has the largest of their amounts of dust, of ozone, of cloud
-/// and of stratospheric aerosol.
+/// Combines several atmospheres. Each column of the result has the largest amounts of dust, ozone, cloud and
+/// stratospheric aerosol that the corresponding column has in any of them.
 ///
-/// Given   airs   one or more, which differ only in these amounts and share their tables
-/// Throws  Error  when there are no atmospheres, or they differ in anything else
+/// Given   airs   one or more atmospheres that differ only in these amounts and share their tables
+/// Throws  Error  when there is no atmosphere, or they differ in anything else
 Atmosphere richest(std::span<const Atmosphere> airs);
 
-/// Throws an Error that names the term, its unit and its range, when a term is outside its range.
+/// Throws an Error when a quantity is outside its range. The message gives the quantity's name, unit and range.
 void require_valid(const Atmosphere& atmosphere);
 
 /// Optical properties of air at sea level, at one wavelength.
 struct Optics {
-  double refractivity;    ///< at sea level, n₀ − 1
-  double rayleigh_per_m;  ///< scattering coefficient at sea level, β₀ = N₀ σ
+  double refractivity;    ///< n₀ − 1 at sea level
+  double rayleigh_per_m;  ///< Rayleigh scattering coefficient at sea level, β₀ = N₀ σ
   double wavelength_nm;
 };
 
-/// Throws Error when the wavelength is outside 380 to 780 nm
+/// Throws an Error when the wavelength is outside 380 to 780 nm.
 Optics sea_level_optics(algebra::Wavelength wavelength, const Molecules& molecules = {});
 
-/// Constituents that take light out of a ray. Each has a profile over altitude and a spectrum. Extinction is the sum of
+/// Constituents that remove light from a ray. Each has a profile over altitude and a spectrum. Extinction is the sum of
 /// spectrum × profile over all absorbers, optical depth the sum of spectrum × ∫ profile ds. A table in atmosphere.cpp
 /// has a row for each absorber.
 enum Absorber : std::size_t {
@@ -191,7 +192,7 @@ enum Absorber : std::size_t {
 using Amounts = std::array<double, absorbers>;
 
 /// Name of each absorber's group: "air", "ozone", "dust", "aerosol" (below the stratosphere), "stratosphere", "cloud"
-/// or "gas". A change of the air affects a whole group.
+/// or "gas". Absorbers in a group are always changed together.
 std::array<std::string_view, absorbers> absorber_groups();
 
 /// Multiplies a column's cloud (including its cloud cover) and its aerosol below the stratosphere by a factor.
@@ -230,8 +231,8 @@ Amounts spectra(const Column& column, const Optics& optics);
 /// (ω, g) = (1, 0.685) for background sulphuric acid, (0.947, 0.698) for aged volcanic aerosol and dust, (0.855,
 /// 0.747) for fresh volcanic aerosol, (0.963, 0.651) for tropospheric aerosol.
 ///
-/// Given     cosine  cos χ, χ the scattering angle
-/// Returned  [1/sr]  0 for gases that only absorb, and for cloud, which the twilight leaves out
+/// Given     cosine  cos χ, where χ is the scattering angle
+/// Returned  [1/sr]  0 for gases that only absorb, and for cloud, whose scattered light is neglected
 /// Source    Henyey & Greenstein (1941), ApJ 93, 70; ω and g at 550 nm from LOWTRAN 7: Kneizys et al.
 ///           (1988), AFGL-TR-88-0177
 Amounts scattering(const Column& column, double cosine);
@@ -247,8 +248,8 @@ ValueAndSlope density_ratio(const Column& column, double altitude_m);
 /// Refractivity n(h, λ) − 1: the value at sea level times the density ratio (Gladstone–Dale).
 double refractivity(const Column& column, const Optics& optics, double altitude_m);
 
-/// Smallest refractivity n₀ − 1 at sea level with which air traps light. A ray can leave the air again only if n r
-/// rises with altitude; from this refractivity on, n r falls with altitude at the ground.
+/// Smallest refractivity n₀ − 1 at sea level at which air traps light: n r, the refractive index times the distance
+/// from the Earth's centre, then falls with altitude at the ground. A ray can leave the air only if n r rises.
 ///
 ///     n₀ − 1 = −1 / (ρ/ρ₀ + R d(ρ/ρ₀)/dh)     at the ground, where density falls fastest
 ///
@@ -256,13 +257,13 @@ double refractivity(const Column& column, const Optics& optics, double altitude_
 /// Returned  1.636e-3 with R = 6378 km, six times the refractivity of air; infinite if refraction is off
 double critical_refractivity(const Column& column, double earth_radius_m);
 
-/// Throws an Error that names the air's refractivity and the largest one allowed, when the air traps light.
+/// Throws an Error when the air traps light. The message gives the air's refractivity and the largest one allowed.
 void require_no_trap(const Column& column, double earth_radius_m, double refractivity);
 
 /// Extinction [m⁻¹] at an altitude.
 double extinction_per_m(const Column& column, const Optics& optics, double altitude_m);
 
-/// Transmittance, 0 to 1, of cloud cover and of ozone as a filter (OzonePath::filter), for a ray past the limb.
+/// Transmittance, 0 to 1, of cloud cover and of ozone as a filter (OzonePath::filter), for a ray that passes the limb.
 ///
 /// Given  tangent_height_m  the ray's lowest altitude
 double limb_filter(const Column& column, const Optics& optics, double tangent_height_m);

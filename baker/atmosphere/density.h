@@ -19,18 +19,18 @@ struct ValueAndSlope {
 /// Given     altitude_m  geometric; below 0 the lowest layer is extrapolated, above 86 km the density is 0
 /// Returned  ρ/ρ₀        1 at 0 m, 2.44e-3 at 42 km
 /// Accuracy  matches the printed tables to their last digit (worst relative error 1e-4 up to 50 km)
-/// Omits     weather, season and latitude, which matter by up to 20 % below 10 km
+/// Omits     weather, season and latitude, which change the density by up to 20 % below 10 km
 /// Source    U.S. Standard Atmosphere 1976, NOAA-S/T 76-1562
 double density_ratio_us_1976(double altitude_m);
 
 /// Density ratio ρ/ρ₀ and its analytic slope d(ρ/ρ₀)/dh.
 ValueAndSlope density_ratio_and_slope_us_1976(double altitude_m);
 
-/// Altitude at which the US Standard Atmosphere, and with it the air of every model, ends [m].
+/// Altitude at which the US Standard Atmosphere ends [m]. No model has air above it.
 inline constexpr double top_of_us_1976_m = 86e3;
 
-/// Altitudes where the slope of the US 1976 density jumps [m]: the tops of its layers, lowest first; the last
-/// is 86 km, where the density drops to 0.
+/// Altitudes where the slope of the US 1976 density jumps [m]: the tops of its layers, lowest first. The last is 86 km,
+/// where the density drops to 0.
 std::span<const double> density_breaks_us_1976_m();
 
 /// Altitudes between which Yapo & Cutler (2009) multiply the US 1976 density by a ramp from 1 to 0 [m].

@@ -22,11 +22,10 @@ struct Figure {
 /// The Earth's ellipsoid, with its north pole tipped towards the Sun by the Sun's declination.
 Figure ellipsoid(double sun_declination_rad);
 
-/// Earth's limb as seen from the Sun, at one position angle.
+/// Earth's limb as seen from the Sun, at one position angle. Light paths in air are longer if the curvature is smaller.
 struct Limb {
-  double radius_m;  ///< distance from the shadow axis to the ground
-  double
-      curvature_radius_m;  ///< of the ground along the light's path; sets the path's length in the air
+  double radius_m;            ///< distance from the shadow axis to the ground
+  double curvature_radius_m;  ///< radius of curvature of the ground along the light's path
 };
 
 /// Limb at a position angle about the shadow axis, from celestial north through east.
@@ -35,10 +34,9 @@ struct Limb {
 /// (zᵀ A z) / |A x|.
 Limb limb_at(const Figure& figure, double position_angle_rad);
 
-/// Height above the ground of a point in the shadow frame (X celestial east, Y north, Z away from
-/// the Sun).
+/// Height above the ground of a point in the shadow frame (X to celestial east, Y to north, Z away from the Sun).
 ///
-/// Accuracy  0.5 m up to 86 km, because it is taken along the radius, not the vertical
+/// Accuracy  0.5 m up to 86 km, because the height is measured along the Earth's radius, not along the vertical
 double altitude_m(const Figure& figure, const glm::dvec3& position_m);
 
 }  // namespace coppermoon::atmosphere

@@ -12,7 +12,7 @@ inline constexpr double sea_level_oxygen_per_m3 = 0.209476 * 2.54693e25;
 ///
 /// Given     wavelength  380 to 780 nm
 /// Returned  [m⁵]        at most 1e-55, at 577 nm
-/// Accuracy  6 %, because at 253 K the bands are narrower, with the same integral
+/// Accuracy  6 %, because in cold air (253 K) the bands are narrower and higher, with the same integral
 /// Omits     bands beyond 666 nm, which lie under oxygen's B band and reach a thirtieth of the largest value
 /// Throws    Error       when the wavelength is outside its range
 /// Source    Fally et al. (2000), J. Mol. Spectrosc. 204, 10
@@ -30,12 +30,12 @@ double nitrogen_dioxide_cross_section_m2(algebra::Wavelength wavelength);
 ///
 ///     −ln T = extinction ∫ ρ/ρ₀ ds        T: mean transmittance over 20 nm
 ///
-/// A band's transmittance is exp(−(C W)^0.5641), with W = ∫ ρ p^0.9353 ds. So −ln T grows with about the square root of
-/// W, and falls with the tangent height as the density does.
+/// A band's transmittance is exp(−(C W)^0.5641), with W = ∫ ρ p^0.9353 ds. So −ln T is about proportional to the square
+/// root of W, and decreases with tangent height as the density does.
 ///
 /// Given     wavelength  380 to 780 nm
 /// Returned  [m⁻¹]       at most 2.4e-6, at 765 nm
-/// Accuracy  15 % of the light lost at 628 and 688 nm, 35 % at 762 nm, which saturates; for tangent heights 3 to 20 km
+/// Accuracy  15 % of the light lost at 628 and 688 nm, 35 % at 762 nm (saturated), for tangent heights of 3 to 20 km
 /// Omits     spectral detail narrower than 20 nm
 /// Throws    Error       when the wavelength is outside its range
 /// Source    band model of LOWTRAN 7: Kneizys et al. (1988), AFGL-TR-88-0177
@@ -45,25 +45,25 @@ double oxygen_bands_per_m(algebra::Wavelength wavelength);
 ///
 ///     −ln T = extinction ∫ water_vapour_profile ds        T: mean transmittance over 20 nm
 ///
-/// Extinction is proportional to water^0.62; the powers in the band model are 0.61 to 0.66.
+/// Extinction is taken to be proportional to water^0.62; the exponents in the band model are 0.61 to 0.66.
 ///
 /// Given     water       relative to the US standard atmosphere (14 mm of precipitable water), 0 or more
 ///           wavelength  380 to 780 nm
 /// Returned  [m⁻¹]       at most 6.8e-6, at 725 nm and water = 1
-/// Accuracy  15 % of the light lost, at tangent heights of 2 to 8 km
+/// Accuracy  15 % of the light lost, for tangent heights of 2 to 8 km
 /// Omits     spectral detail narrower than 20 nm
 /// Throws    Error       when the wavelength is outside its range
-/// Source    the same as for oxygen_bands_per_m
+/// Source    as for oxygen_bands_per_m
 double water_vapour_per_m(double water, algebra::Wavelength wavelength);
 
-/// Ratio of extinction by water vapour at an altitude to that at sea level: (density of the vapour × p^0.66)^0.62.
+/// Ratio of extinction by water vapour at an altitude to that at sea level: (vapour density × pressure^0.66)^0.62.
 ///
 /// Given     altitude_m  above sea level
-/// Accuracy  0.03
+/// Accuracy  0.03 in the ratio
 /// Source    US standard atmosphere of Anderson et al. (1986), AFGL-TR-86-0110
 double water_vapour_profile(double altitude_m);
 
-/// Amount of water vapour 5 km above a latitude in a season, relative to the US standard atmosphere: 0.3 to 2.4.
+/// Water vapour 5 km above sea level, by latitude and season, relative to the US standard atmosphere: 0.3 to 2.4.
 ///
 /// Given   year   its fractional part gives the season
 /// Throws  Error  when the latitude is outside ±90°
@@ -74,7 +74,7 @@ double seasonal_water(algebra::Angle latitude, double year);
 /// Number density of nitrogen dioxide [m⁻³]; the vertical column is 6.0e19 m⁻².
 ///
 /// Given     altitude_m  0 to 86 km
-/// Omits     dependence on season and hour; cities
+/// Omits     changes with season and time of day; pollution in cities
 /// Source    Anderson et al. (1986), AFGL-TR-86-0110
 double nitrogen_dioxide_per_m3(double altitude_m);
 

@@ -74,12 +74,12 @@ std::vector<double> layers_of(double latitude_deg, double year) {
   return du;
 }
 
-/// Altitude [m] for a pressure altitude, 16 km log10(p₀/p); 0 if the pressure is higher than at the ground.
+/// Altitude [m] for a pressure altitude, which is 16 km log10(p₀/p) at pressure p; 0 if p is higher than at the ground.
 double altitude_m(const SeasonalAir& air, double pressure_altitude_km) {
   return air.altitude_m(std::pow(10, -pressure_altitude_km / 16));
 }
 
-/// Logarithm of the share of the column per metre: a curve through the layers' middles, then linear up to the top.
+/// Logarithm of the share of the ozone column per metre: a curve through the middles of the layers, linear above them.
 algebra::MonotoneCubic log_shares(std::span<const double> du, const SeasonalAir& air) {
   std::vector<double> middle_m, log_share;
   for (int i = 0; i < layers; ++i) {

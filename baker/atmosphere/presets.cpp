@@ -20,7 +20,7 @@ namespace {
 constexpr std::array<std::string_view, 7> names{"paper",    "molecular",  "clear", "undated",
                                                 "standard", "calibrated", "none"};
 
-/// Factor on the probability of cloud in the preset "calibrated".
+/// Factor by which the preset "calibrated" multiplies the probability of cloud.
 constexpr double calibrated_cloud = 0.60;
 
 constexpr double us_1976_ozone_du = 345;
@@ -32,7 +32,7 @@ void make_usual(Column& column) {
   column.cloud_cover = 0.7;
 }
 
-/// Adds to a column those terms of the preset "standard" that do not depend on latitude and month.
+/// Adds to a column those constituents of the preset "standard" that do not depend on latitude and month.
 Column usual_by_chance(Column column) {
   column.tropospheric_optical_depth = 0.07;
   column.tropospheric_scale_m = 1.2e3;

@@ -8,9 +8,9 @@ namespace coppermoon::atmosphere {
 /// Shortest and longest wavelength of the model [nm].
 inline constexpr double shortest_nm = 380, longest_nm = 780;
 
-/// Wavelength in nanometres.
+/// Converts a wavelength to nanometres.
 ///
-/// Throws  Error  when it is outside 380 to 780 nm
+/// Throws  Error  when the wavelength is outside 380 to 780 nm
 double checked_nm(algebra::Wavelength wavelength);
 
 /// Refractivity n₀ − 1 of air at sea level, 15 °C.
@@ -19,7 +19,7 @@ double checked_nm(algebra::Wavelength wavelength);
 ///
 /// Given     wavelength  380 to 780 nm
 /// Returned  n₀ − 1      2.770936e-4 at 550 nm
-/// Accuracy  0.15 to 0.38 % below Ciddor (1996) from 780 to 380 nm
+/// Accuracy  lower than Ciddor (1996) by 0.15 % (at 780 nm) to 0.38 % (at 380 nm)
 /// Throws    Error       when the wavelength is outside its range
 /// Source    CRC Handbook of Chemistry and Physics (1984), E-231. Eq. 4 of Yapo & Cutler
 ///           (2009) misprints the first two coefficients; the handbook's are used here
@@ -32,7 +32,7 @@ double sea_level_refractivity_crc(algebra::Wavelength wavelength);
 /// Given     wavelength  in vacuum, 380 to 780 nm
 /// Returned  n₀ − 1      2.778376e-4 at 550 nm
 /// Accuracy  exceeds the four-term formula of Peck & Reeder (1972) by a relative 6e-5
-/// Omits     water vapour, which lowers refractivity by 3.6e-10 per pascal: by 0.2 % when saturated
+/// Omits     water vapour, which lowers refractivity by 3.6e-10 per pascal, or by 0.2 % when saturated
 /// Throws    Error       when the wavelength is outside its range
 /// Source    Ciddor (1996), Appl. Opt. 35, 1566, Eq. 1
 double sea_level_refractivity_ciddor_1996(algebra::Wavelength wavelength);

@@ -56,7 +56,7 @@ SeasonalAir::SeasonalAir(algebra::Angle latitude, double year) {
          table["subarctic_summer"][i], table["subarctic_winter"][i]},
         latitude, year));
   const algebra::MonotoneCubic temperature(altitude_m, temperatures);
-  const auto fall = [&](double h) {  // rate at which pressure falls, −d ln p/dh
+  const auto fall = [&](double h) {  // decrease of ln p with altitude, −d ln p/dh
     return gravity_over_gas_constant * gravity_ratio(h) / temperature(h);
   };
   double log_pressure = 0;

@@ -8,12 +8,12 @@
 
 namespace coppermoon::atmosphere {
 
-/// A number for each of the model atmospheres of Anderson et al. (1986).
+/// One number for each of the model atmospheres of Anderson et al. (1986).
 struct ByModel {
   double tropical, midlatitude_summer, midlatitude_winter, subarctic_summer, subarctic_winter;
 };
 
-/// Number for a latitude and a season, interpolated between the models as the temperature in SeasonalAir is.
+/// Interpolates numbers between the model atmospheres, in latitude and season, as SeasonalAir does with temperature.
 ///
 /// Given   year   its fractional part gives the season
 /// Throws  Error  when the latitude is outside ±90°
@@ -24,9 +24,9 @@ double between_models(const ByModel& models, algebra::Angle latitude, double yea
 ///
 ///     d ln ρ/dh = −(g M / R + dT/dh) / T          g = g₀ (r₀ / (r₀ + h))²
 ///
-/// Models are given at 15° (all year), 45° and 60° (July and January, six months later in the south). Interpolation is
-/// linear in latitude, and constant beyond 15° and 60°. Over the year it follows a cosine with its extremes in mid
-/// January and mid July.
+/// There are models for 15° (all year), 45° and 60° (July and January, six months later in the south). Interpolation is
+/// linear in latitude between 15° and 60°, and constant beyond. Over the year it follows a cosine with its extremes in
+/// mid January and mid July.
 ///
 /// Accuracy  reproduces the models' own densities to 0.7 % up to 50 km
 /// Omits     weather; the polar night, which is colder than the model for 60° in winter
@@ -37,7 +37,7 @@ class SeasonalAir {
   /// Throws  Error  when the latitude is outside ±90°
   SeasonalAir(algebra::Angle latitude, double year);
 
-  /// Ratio of the density to the sea-level density of US 1976, and its slope; 0 above 86 km.
+  /// Ratio of the density to the sea-level density of US 1976, and the slope of this ratio; both are 0 above 86 km.
   ValueAndSlope density_ratio(double altitude_m) const;
 
   /// Ratio of the pressure to 1013.25 hPa.
@@ -47,7 +47,7 @@ class SeasonalAir {
   double altitude_m(double pressure_ratio) const;
 
  private:
-  /// Values at a whole kilometre of altitude: ln of the density ratio, its slope, temperature [K].
+  /// Values at a whole kilometre of altitude: ln of the density ratio, the slope of this logarithm, temperature [K].
   struct Knot {
     double log_ratio, slope_per_m, temperature;
   };

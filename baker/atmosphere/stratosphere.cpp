@@ -64,7 +64,7 @@ const Profiles& profiles_of_lowtran() {
 constexpr std::array<double, 4> graded_depths{0.0072, 0.0269, 0.0843, 0.257};
 constexpr std::array<double, 4> grades{1, 2, 3, 4};
 
-/// Grade of an optical depth among LOWTRAN's aerosols, from 1 (background) to 4 (extreme).
+/// Position of an optical depth on a scale of LOWTRAN's aerosols, from 1 (background) to 4 (extreme).
 double grade_of_depth(double optical_depth) {
   std::array<double, 4> log_depths;
   std::ranges::transform(graded_depths, log_depths.begin(), [](double x) { return std::log(x); });
@@ -77,11 +77,11 @@ const algebra::Table& spectra_of_lowtran() {
   return table;
 }
 
-/// Grade of an Ångström exponent among LOWTRAN's spectra, from 1 (background) to 4 (extreme).
+/// Position of an Ångström exponent on a scale of LOWTRAN's spectra, from 1 (background) to 4 (extreme).
 double grade_of_exponent(double exponent) {
   const auto& table = spectra_of_lowtran();
   const auto& nm = table["wavelength_nm"];
-  const auto of = [&](const char* name) {  // exponent from 550 to 1060 nm
+  const auto of = [&](const char* name) {  // Ångström exponent between 550 and 1060 nm
     // FAULT small particles taken for large ones: return -std::log => return std::log
     return -std::log(table[name][3] / table[name][1]) / std::log(nm[3] / nm[1]);
   };
@@ -93,7 +93,7 @@ double grade_of_exponent(double exponent) {
 
 constexpr double first_of_bands = 1979, lowest_recorded_m = 8e3, highest_recorded_m = 44.5e3;
 
-/// Record of stratospheric aerosol by band of latitude and by layer: below 16 km, 16 to 20 km, and above.
+/// Record of stratospheric aerosol by band of latitude and by layer (below 16 km, 16 to 20 km, above 20 km).
 struct BandRecord {
   static constexpr std::array<double, 6> middles{-75, -45, -15, 15, 45, 75};
   static constexpr std::array names{"90S-60S", "60S-30S", "30S-0", "0-30N", "30N-60N", "60N-90N"};
@@ -130,7 +130,7 @@ double over_the_tropopause(double altitude_m, double tropopause_m) {
   return smooth_step((altitude_m - tropopause_m) / 2e3 + 1);
 }
 
-/// Extinction by altitude over a latitude in a month, summed over the layers of the record.
+/// Extinction as a function of altitude, over a latitude in a month, summed over the layers of the record.
 algebra::MonotoneCubic recorded_extinction(double year, algebra::Angle latitude,
                                            double tropopause_m) {
   const auto& bands = record();
@@ -190,7 +190,7 @@ double stratospheric_depth_error(double year) {
   constexpr std::array<Era, 6> eras{
       {{1850, 0.4}, {1979, 0.3}, {2017, 0.1}, {2022, 0.15}, {2025, 0.25}, {first_unknown, 0.3}}};
   const auto era = std::ranges::find_if(eras, [&](const Era& one) { return year < one.end; });
-  constexpr int parts = 6;  // bands of equal area
+  constexpr int parts = 6;  // number of bands of equal area
   double sum = 0;
   for (int i = 0; i < parts; ++i)
     sum += stratospheric_optical_depth(year, algebra::radians(std::asin((2 * i + 1.) / parts - 1)));

@@ -17,8 +17,8 @@ constexpr int seasons = 12;
 
 struct Tropopause {
   std::vector<double> latitudes;   // the same in all seasons
-  std::vector<double> heights_km;  // for each season in turn, at all latitudes
-  double first;                    // fraction of the year at the first season
+  std::vector<double> heights_km;  // heights at all latitudes, season by season
+  double first;                    // time of the first season, as a fraction of the year
 };
 
 Tropopause tropopause() {

@@ -12,20 +12,20 @@ namespace coppermoon::atmosphere {
 /// Returned  [m]       16 400 in the tropics, 8000 to 15 400 elsewhere
 /// Accuracy  0.7 km compared with single balloon soundings
 /// Throws    Error     when the latitude is outside its range
-/// Source    Mateus, Mendes & Pires (2022), Remote Sens. 14, 4303: surface of 3.5 potential vorticity units
+/// Source    Mateus, Mendes & Pires (2022), Remote Sens. 14, 4303, for a tropopause at 3.5 potential vorticity units
 double tropopause_m(algebra::Angle latitude, double year);
 
-/// Linear interpolation in a table that covers the year and wraps around: two entries and the weight of the second.
+/// Two neighbouring entries of a cyclic table over the year, and the weight of the second for linear interpolation.
 struct SeasonShare {
-  int before, after;  ///< indices of the entries, 0 to `steps` − 1
+  int before, after;  ///< indices of the two entries
   double share_after;
 };
 
-/// The two entries, in a table over the year, on either side of a point in time.
+/// Interpolation in a cyclic table over the year, for a given moment.
 ///
 /// Given  year   its fractional part gives the season
-///        steps  number of entries
-///        first  fraction of the year at the first entry, such as 0.04 for mid January
+///        steps  number of entries in the table
+///        first  moment of the first entry, as a fraction of the year: 0.04 for mid January
 SeasonShare season_share(double year, int steps, double first);
 
 }  // namespace coppermoon::atmosphere

@@ -19,7 +19,7 @@ constexpr std::size_t channels = 3;
 constexpr std::array azimuths_deg{0., 15., 30., 45., 60., 90., 120., 150., 180.};
 enum Air : std::size_t { standard, clear, hazy, more_ozone, high, airs };
 
-/// Logarithms of light, as in the table: [air][Sun][altitude][azimuth][channel], with the Sun's altitudes descending.
+/// Logarithms of light from the table, as [air][Sun][altitude][azimuth][channel]. The Sun's altitudes descend.
 struct LightTable {
   std::vector<double> suns_deg, altitudes_deg, log_light;
 
@@ -46,7 +46,7 @@ LightTable read_table() {
   return all;
 }
 
-/// Weights with which the atmospheres in the table make up the observer's air; they add up to 1.
+/// Weights of the table's atmospheres in an interpolation to the observer's air. The weights add up to 1.
 std::array<double, airs> shares_of(const ObserverAir& air) {
   constexpr double standard_aerosol = 0.1, clear_aerosol = 0.03, hazy_aerosol = 0.3,
                    least_aerosol = 0.01, most_aerosol = 1, standard_du = 300, more_du = 450,
@@ -66,8 +66,8 @@ std::array<double, airs> shares_of(const ObserverAir& air) {
   return shares;
 }
 
-/// Logarithms of light for one altitude of the Sun and one air: [altitude][azimuth][channel]. If the Sun is lower than
-/// in the table, all values continue to fall at the mean rate between the table's last two altitudes.
+/// Logarithms of light for one altitude of the Sun and one observer's air: [altitude][azimuth][channel]. If the Sun is
+/// lower than in the table, they continue to fall at the mean rate between the table's last two altitudes of the Sun.
 std::vector<double> light_under(const LightTable& table, double sun_deg,
                                 const std::array<double, airs>& shares) {
   const auto& suns_deg = table.suns_deg;
@@ -92,7 +92,7 @@ std::vector<double> light_under(const LightTable& table, double sun_deg,
 constexpr std::size_t rows = 361, columns = 61;
 constexpr double row_deg = 90. / (rows - 1), column_deg = 180. / (columns - 1);
 
-/// Light at evenly spaced azimuths, interpolated from values at the nodes. It is symmetric about 0 and 180 degrees.
+/// Light at evenly spaced azimuths, interpolated from the table's azimuths, with symmetry about 0 and 180 degrees.
 std::array<double, columns> around(const std::array<double, azimuths_deg.size()>& values) {
   std::vector<double> x, y;
   const auto add = [&](double azimuth, double value) {
@@ -108,18 +108,18 @@ std::array<double, columns> around(const std::array<double, azimuths_deg.size()>
   return light;
 }
 
-/// Fills the dips on either side of the maximum along a vertical. They come from interpolation between altitudes of the
-/// Sun, and are less than 1 %.
+/// Makes light rise steadily to its maximum along a vertical circle and fall steadily after it. The dips that are
+/// filled, of less than 1 %, come from interpolation between altitudes of the Sun.
 void fill_dips(std::vector<double>& up) {
   const auto greatest = std::ranges::max_element(up);
   for (auto i = up.begin(); i != greatest; ++i) *(i + 1) = std::max(*i, *(i + 1));
   for (auto i = up.end() - 1; i > greatest; --i) *(i - 1) = std::max(*i, *(i - 1));
 }
 
-/// Coordinate along a vertical in which the curvature of log light is about the same everywhere.
+/// Coordinate along a vertical circle in which the logarithm of light has about the same curvature everywhere.
 double height_of(double altitude_deg) { return std::log(altitude_deg + 0.8); }
 
-/// Spreads over a degree the kinks that piecewise cubic interpolation leaves at its nodes.
+/// Smooths light over about a degree, to remove the kinks that piecewise cubic interpolation leaves at its nodes.
 void round_kinks(std::array<double, rows>& light) {
   constexpr int passes = 10;
   for (int pass = 0; pass < passes; ++pass) {

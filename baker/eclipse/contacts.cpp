@@ -21,7 +21,7 @@ using almanac::LunarTheory;
 enum class Edge { umbra, penumbra };
 enum class Touch { outside, inside };
 
-/// Angle from the Moon's limb to the shadow's edge; negative during the phase that their contact begins or ends.
+/// Angle [rad] from the shadow's edge to the Moon's limb: 0 at a contact, negative in the phase between two contacts.
 double gap(const Sighting& sighting, ShadowConvention convention, Edge edge, Touch touch) {
   const auto radii = shadow_radii(convention, sighting.axis, sighting.moon);
   const double shadow = algebra::in_radians(edge == Edge::umbra ? radii.umbra : radii.penumbra);
@@ -44,7 +44,7 @@ struct Pair {
 };
 
 Pair contact_pair(const Pass& pass, Edge edge, Touch touch) {
-  constexpr double longest_half_s = 4 * 3600;  // the longest eclipses last 6.3 h
+  constexpr double longest_half_s = 4 * 3600;  // even the longest eclipses last only 6.3 h
   const auto f = [&](double seconds) {
     return gap(sighting_at(pass.lunation, seconds), pass.convention, edge, touch);
   };
@@ -97,8 +97,8 @@ std::optional<Eclipse> eclipse_near(const Instant& middle, ShadowConvention conv
                  almanac::Calendar::gregorian};
 }
 
-/// Whether an eclipse is possible according to the fast theory, moon98; if not, the slow theory is not needed. The
-/// margin for errors of moon98 is 0.05 of the Moon's diameter, or 90″.
+/// Whether an eclipse is possible according to the fast lunar theory, moon98. If not, the slow theory need not be
+/// tried. The margin for errors in moon98 is 0.05 of the Moon's diameter, or 90″.
 bool is_candidate(const Instant& middle, ShadowConvention convention) {
   const Lunation lunation = lunation_around(middle, LunarTheory::moon98);
   return magnitude(sighting_at(lunation, 0), convention, Edge::penumbra) > -0.05;
@@ -112,8 +112,8 @@ std::optional<Eclipse> eclipse_of_full_moon(int number, ShadowConvention convent
   return eclipse_near(middle, convention, theory);
 }
 
-/// Tolerance for comparing times: half a second, because contacts are written to the second.
-constexpr double rounding_s = 0.5 + 1e-3;  // 1e-3 covers rounding errors of Julian dates
+/// Tolerance for comparing a time with a contact. It is half a second, because contacts are reported to the second.
+constexpr double rounding_s = 0.5 + 1e-3;  // 1e-3 s covers rounding errors in Julian dates
 
 double seconds_apart(const Instant& a, const Instant& b) {
   return std::abs(almanac::seconds_between(a, b));
@@ -148,7 +148,7 @@ std::optional<Eclipse> eclipse_at(const Instant& instant, ShadowConvention conve
 }
 
 Eclipse nearest_eclipse(const Instant& instant, ShadowConvention convention, LunarTheory theory) {
-  constexpr int longest_gap = 12;  // full Moons; successive eclipses are at most six apart
+  constexpr int longest_gap = 12;  // counted in full Moons; eclipses are at most six apart
   const int number = full_moon_number(instant);
   std::vector<Instant> middles;
   for (int i = number - longest_gap; i <= number + longest_gap; ++i)

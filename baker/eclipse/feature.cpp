@@ -21,7 +21,7 @@ void require_on_moon(const SelenographicPoint& place) {
   algebra::require_within("lunar longitude [deg]", algebra::in_degrees(place.longitude), -360, 360);
 }
 
-/// Geocentric position of a feature in GCRS axes, with the Moon's orientation corrected for light time.
+/// Geocentric position of a lunar feature, in GCRS axes. The Moon's orientation is corrected for light time.
 glm::dvec3 position_m(const glm::dvec3& direction, const glm::dvec3& moon_m, const Instant& when) {
   const double light_time_s = glm::length(moon_m) / almanac::speed_of_light_m_per_s;
   const glm::dmat3 selenographic_from_gcrs =
@@ -30,7 +30,7 @@ glm::dvec3 position_m(const glm::dvec3& direction, const glm::dvec3& moon_m, con
                       (glm::transpose(selenographic_from_gcrs) * direction);
 }
 
-/// Angle by which a feature is outside the umbra, as seen from the Earth; negative inside the umbra.
+/// Angle from the umbra's edge to a lunar feature, as seen from the Earth [rad]; negative inside the umbra.
 double outside_umbra_rad(const Lunation& lunation, const glm::dvec3& direction, double seconds) {
   const Sighting moon = sighting_at(lunation, seconds);
   const ShadowPlace place = place_in_shadow(
@@ -40,7 +40,7 @@ double outside_umbra_rad(const Lunation& lunation, const glm::dvec3& direction, 
          algebra::in_radians(radii.umbra);
 }
 
-/// Finds the minimum of a unimodal f between a and b [s], to 0.1 s, by golden-section search.
+/// Finds the minimum of a unimodal function f between a and b [s], to within 0.1 s, by golden-section search.
 template <class Function>
 double least_between(Function f, double a, double b) {
   constexpr double share = std::numbers::phi - 1;

@@ -26,8 +26,8 @@ void describe_times(Field&& is, const FeatureTimes& times) {
 /// given for places on the far side, which cannot be seen.
 ///
 /// Given     place     latitude −90° to 90°, longitude −360° to 360°
-/// Accuracy  against 16 times of 3 March 2007, published to the minute: 32 s at worst and 14 s on average
-/// Omits     the height of the ground above the mean sphere: 3 km at the disc's edge would change a time by 3 s
+/// Accuracy  compared with 16 times of the eclipse of 3 March 2007, published to the minute: 32 s at worst, mean 14 s
+/// Omits     the height of the ground above the mean sphere; 3 km at the disc's edge would change a time by 3 s
 /// Throws    Error  if the place is out of range
 /// Source    crater timings by Espenak, NASA Eclipse Home Page
 FeatureTimes feature_times(const Eclipse& eclipse, const almanac::SelenographicPoint& place,

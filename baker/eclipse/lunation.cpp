@@ -36,8 +36,8 @@ glm::dvec3 moon_m(const Lunation& lunation, double seconds) {
          on_parabola(lunation.added_to_moon98_m, seconds / sample_spacing_s);
 }
 
-/// Components of the Moon's direction perpendicular to the shadow axis, towards east and north. The length of this
-/// vector is the sine of the Moon's angle from the axis.
+/// East and north components of the Moon's direction, perpendicular to the shadow axis. The length of this vector is
+/// the sine of the Moon's angle from the axis.
 glm::dvec2 across_axis(const glm::dvec3& sun_m, const glm::dvec3& moon_m,
                        const glm::dvec3& celestial_pole) {
   const glm::dmat3 shadow_from_gcrs = shadow_axis(sun_m, celestial_pole).shadow_from_gcrs;

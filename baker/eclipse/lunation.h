@@ -10,7 +10,7 @@
 
 namespace coppermoon::eclipse {
 
-/// Number of the full Moon nearest to a moment; 0 is 21 January 2000.
+/// Number of the full Moon nearest in time to a moment. The full Moon of 21 January 2000 has the number 0.
 int full_moon_number(const almanac::Instant& instant);
 
 /// Whether the Moon may touch the penumbra at the full Moon with the given number. For this, its mean argument of
@@ -19,7 +19,7 @@ int full_moon_number(const almanac::Instant& instant);
 /// Source  Meeus (1998), Astronomical Algorithms, chapter 54
 bool eclipse_is_possible(int number);
 
-/// Moment around the given full Moon at which the Moon is nearest to the shadow axis, found with moon98 to a minute.
+/// Moment at which the full Moon with the given number is nearest to the shadow axis, by moon98, accurate to a minute.
 almanac::Instant nearest_to_axis(int number);
 
 /// Fast ephemeris for the hours around a full Moon. The Sun follows a parabola through three samples. The Moon follows
@@ -27,22 +27,22 @@ almanac::Instant nearest_to_axis(int number);
 struct Lunation {
   almanac::Instant middle;
   glm::dvec3 celestial_pole;
-  std::array<glm::dvec3, 3> sun_m, added_to_moon98_m;  ///< sampled −3, 0 and 3 h from the middle
+  std::array<glm::dvec3, 3> sun_m, added_to_moon98_m;  ///< samples at −3, 0 and 3 h from the middle
 };
 
-/// Accuracy  0.05″ within 3 h of the middle
+/// Accuracy  0.05″ in the positions of Sun and Moon, within 3 h of the middle
 Lunation lunation_around(const almanac::Instant& middle, almanac::LunarTheory theory);
 
 /// Position of the Moon in the shadow at one moment.
 struct Sighting {
   ShadowAxis axis;
   ShadowPlace moon;
-  glm::dvec3 moon_m;  ///< geocentric, GCRS axes
+  glm::dvec3 moon_m;  ///< geocentric position of the Moon, GCRS axes
 };
 
 Sighting sighting_at(const Lunation& lunation, double seconds_after_middle);
 
-/// Time at which the Moon's angle from the axis, seen from the Earth, is smallest [s after the lunation's middle].
+/// Time at which the Moon's angle from the axis, seen from the Earth, is smallest [s after `lunation.middle`].
 double least_axis_angle_s(const Lunation& lunation);
 
 }  // namespace coppermoon::eclipse

@@ -20,7 +20,7 @@ using almanac::Instant;
 
 constexpr double half_a_month_s = 15 * 86400.;
 
-/// A moment relative to a contact, read from a string such as "P1-10min": the contact's name, and the seconds after it.
+/// Moment relative to a contact, read from a string such as "P1-10min": the contact's name, and the seconds after it.
 struct FromContact {
   std::string name;
   std::optional<double> seconds;
@@ -32,11 +32,11 @@ FromContact from_contact(const std::string& text) {
   const auto seconds =
       algebra::number_with_unit(text.substr(sign + 1), {{"min", 60}, {"h", 3600}, {"s", 1}});
   const double way = text[sign] == '-' ? -1 : 1;
-  const bool near = seconds && std::abs(*seconds) <= half_a_month_s;  // false if absent or NaN
+  const bool near = seconds && std::abs(*seconds) <= half_a_month_s;  // false for NaN
   return {text.substr(0, sign), near ? std::optional(way * *seconds) : std::nullopt};
 }
 
-/// Whether a whole text matches a pattern in which 0 stands for any digit.
+/// Whether a text, as a whole, matches a pattern in which 0 stands for any digit.
 bool is_like(std::string_view text, std::string_view pattern) {
   return text.size() == pattern.size() &&
          std::ranges::equal(text, pattern, [](char letter, char wanted) {

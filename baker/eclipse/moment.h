@@ -23,10 +23,10 @@ bool is_contact_or_time(std::string_view text);
 /// Whether a string begins with a digit, possibly after a minus sign, like a date or a time of day.
 bool begins_with_digit(const std::string& text);
 
-/// Whether a string is a day followed by a moment relative to a contact, moonrise or moonset.
+/// Whether a string is a day and a moment relative to a contact, moonrise or moonset: "2018-07-27 U2-10min".
 bool is_from_contact(const std::string& text);
 
-/// Whether a string gives a moment relative to moonrise or moonset.
+/// Whether a string gives a moment relative to moonrise or moonset, such as "moonrise+1h".
 bool is_from_horizon(const std::string& text);
 
 /// Reads a moment that is given relative to a contact of an eclipse, in upper or lower case: "U2", "p1-10min",

@@ -15,7 +15,7 @@ namespace coppermoon::eclipse {
 /// Sun, Moon and shadow at a moment, and the Moon as seen from a place.
 struct SeenSky {
   almanac::SkyState sky;
-  std::optional<almanac::ObserverView> view;  ///< empty if no place is given
+  std::optional<almanac::ObserverView> view;  ///< view from a place; empty without a place
 };
 
 /// Lists the numbers that describe the Sun, the Moon and the shadow, with their units and meanings.
@@ -52,7 +52,7 @@ void describe_sky(Field&& is, const almanac::SkyState& sky) {
       unit::kilometres, "distance of the Moon's centre from the axis of the Earth's shadow");
 }
 
-/// Lists the numbers that describe the Moon as seen from a place. They are absent if there is no view.
+/// Lists the numbers that describe the Moon as seen from a place. They are absent if no place is given.
 template <class Field>
 void describe_view(Field&& is, const std::optional<almanac::ObserverView>& view) {
   namespace unit = algebra::unit;

@@ -16,10 +16,10 @@ struct ShadowAxis {
   glm::dmat3 shadow_from_gcrs;
   algebra::Length sun_distance;
   algebra::Angle sun_declination =
-      {};  ///< Sun's apparent declination of date, by which the Earth's poles tip towards the axis
+      {};  ///< Sun's apparent declination of date: the tilt of the Earth's poles towards the axis
 };
 
-/// Accuracy  that of almanac::apparent_sun_m: 0.1″, or 0.2 km at the Moon, from 1800 to 2100
+/// Accuracy  0.1″, or 0.2 km at the Moon, from 1800 to 2100, as for almanac::apparent_sun_m
 ShadowAxis shadow_axis(const almanac::SkyState& sky);
 
 /// Computes the shadow axis from the apparent position of the Sun alone.
@@ -31,17 +31,16 @@ ShadowAxis shadow_axis(const glm::dvec3& sun_m, const glm::dvec3& celestial_pole
 /// Position of a point in the shadow frame, in cylindrical coordinates.
 struct ShadowPlace {
   algebra::Length axis_distance;  ///< distance from the shadow axis
-  algebra::Angle position_angle;  ///< about the axis, from celestial north through east, 0 to 2π
-  algebra::Length depth;  ///< distance beyond the Earth's centre along the axis, negative sunward
+  algebra::Angle position_angle;  ///< around the axis, from celestial north through east, 0 to 2π
+  algebra::Length depth;          ///< distance behind the Earth along the axis, negative sunward
 };
 
-/// Given  position_m  geocentric, GCRS axes [m]
+/// Given  position_m  geocentric position, GCRS axes [m]
 ShadowPlace place_in_shadow(const ShadowAxis& axis, const glm::dvec3& position_m);
 
-/// Position of the Moon's centre in the shadow.
 ShadowPlace moon_in_shadow(const almanac::SkyState& sky);
 
-/// Position in the shadow of a place on the Moon's ground.
+/// Position, in the shadow, of a place on the Moon's surface.
 ///
 /// Given  ground  unit vector from the Moon's centre to the place, Moon-fixed axes
 ShadowPlace place_of_ground(const ShadowAxis& axis, const almanac::SkyState& sky,

@@ -28,7 +28,7 @@ struct KeptFile {
   std::filesystem::file_time_type used;  ///< time at which it was last written or marked as used
 };
 
-/// Textures in a cache. They are regular files of this user whose names are 16 hexadecimal digits and ".tx".
+/// Finds the textures in a cache. They are regular files of this user whose names are 16 hexadecimal digits and ".tx".
 ///
 /// Returned  the textures, the most recently used first; empty if the folder does not exist
 std::vector<KeptFile> kept_in(const std::filesystem::path& folder);
@@ -43,7 +43,7 @@ void mark_as_used(const std::filesystem::path& file);
 std::vector<KeptFile> remove_oldest(const std::filesystem::path& folder, double most_bytes,
                                     std::filesystem::file_time_type since);
 
-/// Whether a path leads to a regular file, rather than a link, that belongs to this user or to root.
+/// Whether a path is a regular file, not a link, that belongs to this user or to root.
 bool is_users_own(const std::filesystem::path& path);
 
 }  // namespace coppermoon::files

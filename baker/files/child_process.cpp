@@ -12,7 +12,7 @@ namespace {
 
 using algebra::Error;
 
-/// A callback that appends a program's messages to `said` until that has 4096 bytes.
+/// A callback that appends a program's messages to `said` until `said` has 4096 bytes.
 auto kept_in(std::string& said) {
   return [&said](std::string_view words) {
     constexpr std::size_t most = 4096;

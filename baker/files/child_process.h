@@ -23,17 +23,17 @@ struct Program {
 
 /// What to do with a program's output, and when to stop the program.
 struct Hearing {
-  const Handle* result = nullptr;  ///< receives its standard output; nullptr discards it
-  /// Called with what the program writes to its standard error. An exception from this function ends the program.
+  const Handle* result = nullptr;  ///< receives the program's standard output; nullptr discards it
+  /// Receives what the program writes to its standard error. If this function throws, the program is ended.
   std::function<void(std::string_view)> hear{};
-  /// Name of a file in the program's working directory. Once the program has closed this file, it is killed, if the
-  /// system can report the closing. If empty, the program runs to its end.
+  /// Name of a file in the program's working directory. Once the program closes this file, the program is killed, if
+  /// the system can report the closing. If empty, the program runs to its end.
   std::string until_closed{};
   double timeout_s = 0;  ///< 0 means no timeout
 };
 
-/// Runs a program until it ends by itself or is stopped as `hearing` asks. The program never outlives this call, even
-/// if the call throws or this process is killed.
+/// Runs a program until it ends by itself or is stopped as `hearing` specifies. The program never outlives this call,
+/// even if the call throws or this process is killed.
 ///
 /// Returned  whether the program succeeded or closed the file `hearing.until_closed`
 /// Throws    Error  if the program is not installed (the message names its package) or cannot be run; if a signal
@@ -47,7 +47,7 @@ bool run_heard(const Program& program, const Hearing& hearing);
 ///                 incomplete (require_whole)
 void run_program(const Program& program, const Handle* result = nullptr);
 
-/// Refuses a file that a program left empty or truncated (has_its_end), even if the program reported success.
+/// Throws if a program left a file empty or truncated (has_its_end), even if the program reported success.
 ///
 /// Given   by     name of the program that wrote the file
 /// Throws  Error
@@ -59,17 +59,17 @@ void require_whole(const Handle& file, const std::string& by);
 /// Throws  Error    like run_heard; if the program fails, with the last line of its messages
 std::string output_of(const Program& program);
 
-/// Path by which a program can open its own standard output as a file in which it can seek.
+/// Path with which a program can open its own standard output as a seekable file.
 ///
-/// Given  result  the file that run_program takes for its output
+/// Given  result  the file that run_program receives for the program's output
 std::string own_output(const Handle& result);
 
-/// Where the installer of a program for Windows puts it.
+/// Location at which a program's installer for Windows puts the program.
 struct Installation {
-  std::string file, folder;  ///< its file, and the folder in "Program Files"
+  std::string file, folder;  ///< the program's file, and its folder in "Program Files"
 };
 
-/// The file of a program on Windows, on the path or where its installer put it; else its name.
+/// On Windows, finds a program in PATH or where its installer puts it. Otherwise or on failure, returns `name`.
 std::string program_file(const std::string& name, const Installation& windows = {});
 
 }  // namespace coppermoon::files

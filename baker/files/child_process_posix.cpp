@@ -63,7 +63,7 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
   return pointers;
 }
 
-/// Reads the child's errno from a pipe; 0 if exec succeeded, which closes the pipe without a value.
+/// Reads from a pipe why the child's exec failed (errno); 0 if exec succeeded, which closes the pipe without a value.
 int failure_of(const Handle& from) {
   int failure = 0;
   while (::read(descriptor_of(from), &failure, sizeof failure) < 0 && errno == EINTR) continue;
@@ -80,7 +80,7 @@ int milliseconds_left(const Program& program, double timeout_s, Clock::time_poin
   return static_cast<int>(std::min(timeout_s - used_s, 1e3) * 1e3) + 1;
 }
 
-/// Passes on a program's messages until it ends or closes the file `hearing.until_closed`.
+/// Passes on a program's messages until the program ends or closes the file `hearing.until_closed`.
 ///
 /// Returned  true if the program closed the file and may still be running; false if it ended
 bool listen(const Handle& words, const Handle& closing, const Program& program,

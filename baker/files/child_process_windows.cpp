@@ -20,7 +20,7 @@ using algebra::Error;
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// A program's file in folders listed as in PATH; empty if none has it.
+/// Finds a program's file in folders that are listed as in PATH; empty if none of them has it.
 fs::path found_in(const std::wstring& folders, const std::wstring& name) {
   std::wstring found(32768, L'\0');
   found.resize(::SearchPathW(folders.c_str(), name.c_str(), L".exe",
@@ -28,7 +28,7 @@ fs::path found_in(const std::wstring& folders, const std::wstring& name) {
   return found;
 }
 
-/// A word as programs read it from a command line: backslashes are doubled before a quote only.
+/// Quotes a word so that programs read it unchanged from a command line. Backslashes are doubled only before a quote.
 std::wstring quoted(const std::wstring& word) {
   if (!word.empty() && word.find_first_of(L" \t\"") == word.npos) return word;
   std::wstring text = L"\"";
@@ -41,7 +41,7 @@ std::wstring quoted(const std::wstring& word) {
   return text.append(backslashes, L'\\') + L'"';
 }
 
-/// The environment of this process with the given variables added or replaced, as CreateProcess takes it.
+/// The environment of this process with the given variables added or replaced, in the form that CreateProcess expects.
 std::wstring environment_with(const std::vector<std::string>& variables) {
   std::wstring block;
   for (const auto& one : variables) block += wide(one) + L'\0';
@@ -58,7 +58,7 @@ std::wstring environment_with(const std::vector<std::string>& variables) {
   return block += L'\0';
 }
 
-/// A job object that ends its programs, and what these have started, when the handle closes or this process ends.
+/// A job object that ends its programs and their child processes when the handle closes or this process ends.
 Handle job_that_ends() {
   auto job = owned(::CreateJobObjectW(nullptr, nullptr));
   JOBOBJECT_EXTENDED_LIMIT_INFORMATION limits{};
@@ -68,9 +68,9 @@ Handle job_that_ends() {
   return job;
 }
 
-/// Waits for a program's messages or its end.
+/// Waits until a program writes a message or ends.
 ///
-/// Throws  Error  if its timeout passes before
+/// Throws  Error  if the program exceeds its timeout
 void await(const Handle& words, const Program& program, double timeout_s, Clock::time_point start) {
   DWORD there = 0;
   while (timeout_s > 0 && there == 0 &&
@@ -97,7 +97,7 @@ std::string program_file(const std::string& name, const Installation& windows) {
 }
 
 Pipe::Pipe() {
-  constexpr DWORD room = 65536;  // [bytes]
+  constexpr DWORD room = 65536;  // size of the pipe's buffer [bytes]
   HANDLE end = nullptr, begin = nullptr;
   if (!::CreatePipe(&end, &begin, nullptr, room))
     throw Error(fmt::format("no pipe to another program: {}", last_error().message()));
@@ -168,13 +168,13 @@ void start(RunningProgram& running, const Program& program, const Streams& strea
     throw Error(fmt::format("{}: cannot be run: {}", program.words[0], last_error().message()));
   const auto thread = owned(made.hThread);
   running.id = reinterpret_cast<std::intptr_t>(made.hProcess);
-  if (program.outlives_us) return;  // not suspended, for we may end before it would go on
+  if (program.outlives_us) return;  // already running, as this process may end before resuming it
   running.tree = job_that_ends();
   ::AssignProcessToJobObject(system_handle(running.tree), made.hProcess);
   ::ResumeThread(made.hThread);
 }
 
-/// Windows reports no closing of a file, so that every program runs to its end.
+/// Windows does not report when a file is closed, so every program runs to its end.
 bool run_heard(const Program& program, const Hearing& hearing) {
   Pipe words;
   RunningProgram running;

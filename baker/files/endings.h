@@ -12,8 +12,8 @@
 
 namespace coppermoon::files {
 
-/// A file format that a command can write, as it is described in help, error messages and the documentation. Tables of
-/// formats derive from this and add the function that writes the file.
+/// A file format that a command can write, as it is described in help, error messages and the documentation. The
+/// formats of a command derive from this struct and add the function that writes the file.
 struct Ending {
   std::string_view ending;  ///< ending of the file's name, such as ".png"
   std::string_view help;    ///< content, such as "developed"; empty if the ending says enough

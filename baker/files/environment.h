@@ -16,7 +16,7 @@ void set_missing_variable(const char* name, const std::string& value);
 /// The user's cache folder according to the XDG Base Directory Specification; empty if the user has no home folder.
 std::filesystem::path users_caches();
 
-/// Whether a file or folder belongs to this user or to root. If it is a link, its target must do so too.
+/// Whether a file or folder belongs to this user or to root. If it is a link, its target must belong to them too.
 bool belongs_to_user(const std::filesystem::path& path);
 
 /// Makes a folder that only this user may enter. An existing folder is left as it is.

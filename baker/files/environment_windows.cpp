@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <windows.h>
-// after windows.h
+// must be included after windows.h
 #include <aclapi.h>
 #include <sddl.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 using Freed = std::unique_ptr<void, HLOCAL(WINAPI*)(HLOCAL)>;
 
-/// Whether an owner is this user or the system. File systems without owners say "everyone".
+/// Whether an owner is this user or the system. The owner "everyone" counts too: file systems without owners report it.
 bool is_us_or_system(PSID owner) {
   for (const auto kind : {WinWorldSid, WinLocalSystemSid, WinBuiltinAdministratorsSid})
     if (::IsWellKnownSid(owner, kind)) return true;
@@ -29,7 +29,7 @@ bool is_us_or_system(PSID owner) {
          ::EqualSid(owner, reinterpret_cast<const TOKEN_USER*>(told.data())->User.Sid);
 }
 
-/// Whether what an open of `path` with these flags finds belongs to this user or to the system.
+/// Whether the file or folder that opens at `path` with these flags belongs to this user or to the system.
 bool is_own(const std::filesystem::path& path, DWORD flags) {
   const auto file = owned(::CreateFileW(
       path.c_str(), READ_CONTROL, FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE, nullptr,
@@ -45,7 +45,7 @@ bool is_own(const std::filesystem::path& path, DWORD flags) {
 
 }  // namespace
 
-/// The program's code page is UTF-8, so that narrow characters are.
+/// The program's code page is UTF-8, so getenv returns UTF-8.
 std::string variable(const char* name) {
   const char* const value = std::getenv(name);
   return value == nullptr ? "" : value;
@@ -64,7 +64,7 @@ bool belongs_to_user(const std::filesystem::path& path) {
   return is_own(path, FILE_FLAG_OPEN_REPARSE_POINT) && is_own(path, 0);
 }
 
-/// Full access for the owner, the system and administrators, inherited by what the folder will hold; none for others.
+/// Only the owner, the system and administrators get access to the folder and to the files that it will hold.
 std::error_code make_folder_for_user(const std::filesystem::path& folder) {
   SECURITY_ATTRIBUTES security{sizeof security, nullptr, FALSE};
   if (!::ConvertStringSecurityDescriptorToSecurityDescriptorW(

@@ -17,8 +17,8 @@ std::uint64_t big_endian(std::string_view bytes) {
   return number;
 }
 
-/// Whether the last box of an ISO base media file ends exactly where the file ends. A box's length of 1 means that a
-/// 64-bit length follows the box's name; 0 means that the box fills the rest of the file.
+/// Whether the last box of an ISO base media file ends exactly where the file ends. A length of 1 means that a 64-bit
+/// length follows the box's name; a length of 0 means that the box fills the rest of the file.
 bool boxes_fill(const Handle& file, std::uint64_t size) {
   std::uint64_t place = 0;
   while (place < size) {
@@ -37,7 +37,7 @@ bool boxes_fill(const Handle& file, std::uint64_t size) {
 
 bool has_its_end(const Handle& file) {
   const auto size = size_of(file);
-  constexpr std::uint64_t shortest = 8, tail = 64;  // [bytes]
+  constexpr std::uint64_t shortest = 8, tail = 64;  // minimum size, and length of the tail [bytes]
   if (size < shortest) return false;
   const auto begin = bytes_at(file, 0, 256);
   const auto end = bytes_at(file, size - std::min(size, tail), tail);

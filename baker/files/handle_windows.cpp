@@ -7,8 +7,8 @@
 #include <array>
 #include <cwchar>
 
-/// Takes the place of mbrtowc, by which libstdc++ turns narrow characters of a path into wide ones, and for which
-/// msvcrt.dll has no UTF-8. The second half of a surrogate pair waits in `state`.
+/// Replaces mbrtowc, with which libstdc++ converts the narrow characters of a path to wide ones, because the version in
+/// msvcrt.dll does not support UTF-8. `state` keeps the second half of a surrogate pair for the next call.
 extern "C" std::size_t __wrap_mbrtowc(wchar_t* to, const char* from, std::size_t count,
                                       std::mbstate_t* state);
 extern "C" std::size_t __wrap_mbrtowc(wchar_t* to, const char* from, std::size_t count,
@@ -17,7 +17,7 @@ extern "C" std::size_t __wrap_mbrtowc(wchar_t* to, const char* from, std::size_t
     *to = static_cast<wchar_t>(std::exchange(*state, 0));
     return 1;
   }
-  constexpr int longest = 4;  // bytes of a character in UTF-8
+  constexpr int longest = 4;  // largest number of bytes in a UTF-8 character
   std::array<wchar_t, 2> units{};
   for (int bytes = 1; bytes <= longest && static_cast<std::size_t>(bytes) <= count; ++bytes) {
     const int made =
@@ -27,13 +27,13 @@ extern "C" std::size_t __wrap_mbrtowc(wchar_t* to, const char* from, std::size_t
     if (made == 2) *state = units[1];
     return units[0] == 0 ? 0 : static_cast<std::size_t>(bytes - (made - 1));
   }
-  return static_cast<std::size_t>(count < longest ? -2 : -1);  // incomplete, or wrong
+  return static_cast<std::size_t>(count < longest ? -2 : -1);  // incomplete or invalid UTF-8
 }
 
 namespace coppermoon::files {
 namespace {
 
-constexpr std::size_t most_at_once = 1 << 30;  // [bytes]
+constexpr std::size_t most_at_once = 1 << 30;  // largest number of bytes read or written at once
 
 }  // namespace
 
@@ -53,7 +53,7 @@ void Handle::close() {
   number = -1;
 }
 
-/// Others may write, rename and remove the file meanwhile, as on POSIX. Folders can be opened too.
+/// Other processes may write, rename or remove the file while it is open, as on POSIX. Folders can be opened too.
 Handle opened(const std::filesystem::path& file) {
   return owned(::CreateFileW(file.c_str(), GENERIC_READ,
                              FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE, nullptr,
@@ -90,7 +90,7 @@ std::error_code write_at(const Handle& file, std::uint64_t place, std::string_vi
   return {};
 }
 
-/// Without the prefix \\?\, which other libraries do not know.
+/// The prefix \\?\ is removed, because other libraries do not accept it.
 std::string name_of(const Handle& file) {
   std::wstring name(32768, L'\0');
   name.resize(::GetFinalPathNameByHandleW(system_handle(file), name.data(),

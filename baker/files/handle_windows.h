@@ -8,15 +8,15 @@
 
 namespace coppermoon::files {
 
-/// The HANDLE in a handle.
+/// The Windows HANDLE that is stored in a Handle.
 inline void* system_handle(const Handle& handle) { return reinterpret_cast<void*>(handle.number); }
 
-/// A handle that closes a HANDLE; empty for INVALID_HANDLE_VALUE and for a null pointer.
+/// Makes a Handle that owns and closes a Windows HANDLE; empty for INVALID_HANDLE_VALUE and for a null pointer.
 inline Handle owned(void* system) {
   return system == nullptr ? Handle() : Handle(reinterpret_cast<std::intptr_t>(system));
 }
 
-/// The offset in a file as an OVERLAPPED.
+/// Converts an offset in a file to a Windows OVERLAPPED structure.
 template <class Overlapped>
 Overlapped offset(std::uint64_t place) {
   Overlapped where{};
@@ -25,13 +25,13 @@ Overlapped offset(std::uint64_t place) {
   return where;
 }
 
-/// Another handle of what a HANDLE is open to. Child processes inherit it if `inherited` is set.
+/// Duplicates a Windows HANDLE. Child processes inherit the duplicate if `inherited` is set.
 Handle copied(void* system, bool inherited = false);
 
 /// The system's reason for the last failure in this thread.
 std::error_code last_error();
 
-/// UTF-8 text as UTF-16.
+/// Converts text from UTF-8 to UTF-16.
 inline std::wstring wide(const std::string& text) { return std::filesystem::path(text).wstring(); }
 
 }  // namespace coppermoon::files

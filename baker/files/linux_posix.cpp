@@ -81,7 +81,7 @@ void keep_freed_memory() {
 
 fs::path own_program() { return fs::read_symlink("/proc/self/exe"); }
 
-/// The dynamic linker reports an empty name if the part is in the program itself.
+/// The dynamic linker reports an empty name if `part` belongs to the program itself.
 fs::path file_that_has(const void* part) {
   Dl_info info{};
   void* map = nullptr;

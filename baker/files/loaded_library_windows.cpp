@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file of a module; for a null pointer, the running program's.
+/// The file from which a module was loaded; for a null pointer, the running program's file.
 fs::path file_of(HMODULE module) {
   std::wstring name(32768, L'\0');
   name.resize(::GetModuleFileNameW(module, name.data(), static_cast<DWORD>(name.size())));

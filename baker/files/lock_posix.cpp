@@ -20,9 +20,9 @@ struct flock lock_of(short type, off_t from, off_t length) {
   return lock;
 }
 
-/// Whether anyone else has locked any byte of a range in a file.
+/// Whether any other process has locked any byte of a range in a file.
 ///
-/// Given  length  number of bytes from the offset `from` on; 0 means all bytes
+/// Given  length  number of bytes from the offset `from` on; 0 means all bytes from there on
 bool others_hold(int descriptor, off_t from, off_t length) {
   auto asked = lock_of(F_WRLCK, from, length);
   return ::fcntl(descriptor, F_OFD_GETLK, &asked) == 0 && asked.l_type != F_UNLCK;

@@ -9,10 +9,10 @@
 namespace coppermoon::files {
 namespace {
 
-/// Claims of purposes are locks on single bytes below this offset, and lock_folder's lock is on the byte at it.
+/// Offset of the byte that lock_folder locks. claim_folder locks single bytes below this offset.
 constexpr std::uint64_t past_all_claims = std::uint64_t{1} << 62U;
 
-/// Opens a hidden file for locks, which is never removed.
+/// Opens a hidden file on which locks are set, and makes it if it is missing. The file is never removed.
 Handle lock_in(const std::filesystem::path& file) {
   return owned(::CreateFileW(file.c_str(), GENERIC_READ | GENERIC_WRITE,
                              FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE, nullptr,
@@ -20,7 +20,7 @@ Handle lock_in(const std::filesystem::path& file) {
                              nullptr));
 }
 
-/// A folder itself cannot be locked.
+/// Windows cannot lock the folder itself, so a hidden file in the folder is locked instead.
 Handle lock_of_folder(const std::filesystem::path& folder) {
   return lock_in(folder / ".coppermoon.lock");
 }
@@ -32,7 +32,7 @@ bool lock(const Handle& file, std::uint64_t from, std::uint64_t length, DWORD ho
                       static_cast<DWORD>(length >> 32U), &where) != 0;
 }
 
-/// Whether anyone else has locked any byte of a range in a file. Locks the range for a moment.
+/// Whether any other process has locked any byte of a range in a file. To find out, briefly locks the range itself.
 bool others_hold(const Handle& file, std::uint64_t from, std::uint64_t length) {
   if (length == 0) return false;
   if (!lock(file, from, length, LOCKFILE_EXCLUSIVE_LOCK | LOCKFILE_FAIL_IMMEDIATELY))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled, by tests/macos.sh, but never run.
+// tests/macos.sh compiles this file, but it has never been run.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <mach-o/dyld.h>
@@ -23,7 +23,7 @@ bool make_pipe(int (&ends)[2]) {
          ::fcntl(ends[1], F_SETFD, FD_CLOEXEC) == 0;
 }
 
-/// macOS has nothing like prctl: a program that we run goes on if we are killed.
+/// macOS has nothing like prctl, so a program that this process runs continues if this process is killed.
 bool end_with(int parent) { return ::getppid() == parent; }
 
 void execute(char* const* arguments, char* const* variables) {
@@ -31,7 +31,7 @@ void execute(char* const* arguments, char* const* variables) {
   ::execvp(arguments[0], arguments);
 }
 
-/// kqueue does not report when a file is closed, so we wait until the program ends.
+/// kqueue does not report when a file is closed, so the caller waits until the program ends.
 Handle watch(const fs::path&, const std::string&) { return {}; }
 
 bool has_closed(const Handle&, const std::string&) { return false; }
@@ -42,7 +42,7 @@ std::string name_of(const Handle& file) {
   return path;
 }
 
-/// Every file has a name here, so a new one has a temporary name until it is complete.
+/// On macOS, every file has a name, so a new file has a temporary name until it is complete.
 Handle nameless_file(const fs::path&) { return {}; }
 
 FILE* stream_to_say_or_lose() {
@@ -52,7 +52,7 @@ FILE* stream_to_say_or_lose() {
   return ::funopen(nullptr, nullptr, say, nullptr, nullptr);
 }
 
-/// All memory: macOS takes it back from caches and compresses what is idle.
+/// Returns the size of all memory, because macOS reclaims memory from caches and compresses idle memory.
 double available_memory() {
   std::uint64_t bytes = 0;
   std::size_t size = sizeof bytes;
@@ -60,7 +60,7 @@ double available_memory() {
                                                                       : 1e9;
 }
 
-void keep_freed_memory() {}  // its allocator has no such setting
+void keep_freed_memory() {}  // the allocator of macOS cannot be told to keep freed memory
 
 fs::path own_program() {
   char path[PATH_MAX];

@@ -21,6 +21,6 @@ bool has_addresses(std::size_t bytes) {
   return place != nullptr && ::VirtualFree(place, 0, MEM_RELEASE) != 0;
 }
 
-void keep_freed_memory() {}  // the heap of Windows cannot be told so
+void keep_freed_memory() {}  // the heap of Windows cannot be told to keep freed memory
 
 }  // namespace coppermoon::files

@@ -13,12 +13,12 @@ namespace coppermoon::files {
 /// Error with the message "PATH: cannot be written: REASON".
 algebra::Error cannot_write(const std::filesystem::path& path, std::error_code reason);
 
-/// A new file that gets its final name only when it is put in place. If that does not happen, the file is removed by
-/// the destructor or when the program ends. Until then it has no name, if the file system allows that, or a temporary
-/// name in the final folder. Its permissions are those of the file that it replaces.
+/// A new file that gets its final name only when put_in_place is called. If it is not called, the file is removed by
+/// the destructor or when the program ends. Until then the file has no name, if the file system allows that, or a
+/// temporary name in the final folder. Its permissions are those of the file that it replaces.
 class NewFile {
  public:
-  /// Given   final_path  path whose links have been followed
+  /// Given   final_path  path in which all links have been resolved
   /// Throws  Error       if the file cannot be made
   explicit NewFile(const std::filesystem::path& final_path);
   NewFile(const NewFile&) = delete;

@@ -69,7 +69,7 @@ void NewFile::put_in_place() {
     path_.clear();
   }
   if (const auto folder = opened(final_.parent_path()))
-    ::fsync(descriptor_of(folder));  // ignored if the file system does not support it
+    ::fsync(descriptor_of(folder));  // no error if the file system does not support it
 }
 
 }  // namespace coppermoon::files

@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Renames a file, replacing an earlier one. Scanners and previews open new files for a moment and do not share them, so
-/// this tries for two seconds.
+/// Renames a file, replacing an earlier one. Virus scanners and previews briefly open new files without sharing them,
+/// so this function keeps trying for two seconds.
 bool renamed(const fs::path& from, const fs::path& to) {
   for (int tries = 0;; ++tries) {
     if (::MoveFileExW(from.c_str(), to.c_str(), MOVEFILE_REPLACE_EXISTING)) return true;
@@ -28,8 +28,8 @@ bool renamed(const fs::path& from, const fs::path& to) {
 
 }  // namespace
 
-/// Calls `make` with temporary names until one is not taken yet. What removes the file if we are killed is there before
-/// the file is; so a file that is there already gets no name from us.
+/// Calls `make` with temporary names until one is not taken yet. If this process is killed, a helper removes the file.
+/// The helper starts before the file is made and must not remove an older file, so no taken name is used.
 template <typename Make>
 void NewFile::with_a_name(Make make) {
   static std::atomic<unsigned> names = 0;
@@ -46,8 +46,8 @@ void NewFile::with_a_name(Make make) {
   } while (true);
 }
 
-/// The file is shared, so that libraries and other programs can write it by its name. It gets the permissions that its
-/// folder gives to new files.
+/// The file is shared, so that libraries and other programs can open it by name and write to it. It gets the
+/// permissions that its folder gives to new files.
 NewFile::NewFile(const fs::path& final_path) : final_(final_path) {
   with_a_name([this](const fs::path& name) {
     handle_ = owned(::CreateFileW(name.c_str(), GENERIC_READ | GENERIC_WRITE,

@@ -17,15 +17,15 @@ std::string stamped(std::string_view text, std::string_view comment, std::string
 /// Whether a file ends with the fingerprint of its text; false for a link.
 bool is_stamped(const std::filesystem::path& file);
 
-/// Refuses a link at a path that the program chose itself. Paths that the user gave may be links.
+/// Throws if a path that the program itself chose is a link. Paths that the user gave may be links.
 ///
 /// Throws  Error
 void require_no_link(const std::filesystem::path& path);
 
-/// Error message for a file that would be overwritten although it is not as this program wrote it.
+/// Error message for a file that must not be overwritten, because it is not as this program wrote it.
 std::string not_as_written(const std::filesystem::path& file);
 
-/// Refuses to overwrite a file that has no fingerprint or has changed since. A missing file is accepted.
+/// Throws if a file to be overwritten has no fingerprint or was changed since it got one. A missing file is accepted.
 ///
 /// Throws  Error  also if the path is a link
 void require_stamped(const std::filesystem::path& file);

@@ -25,8 +25,8 @@ std::string read_some(const Handle& pipe);
 struct RunningProgram {
   std::int64_t id = 0;
   Handle
-      tree{};  ///< where the system has such handles, closing it kills the program and its children
-  bool leads_group = false;  ///< whether the destructor kills its whole process group
+      tree{};  ///< a job object on Windows; closing this handle kills the program and its children
+  bool leads_group = false;  ///< whether the destructor kills the program's process group
 
   RunningProgram() = default;
   RunningProgram(const RunningProgram&) = delete;
@@ -40,7 +40,7 @@ struct RunningProgram {
 /// Error for a program that has not ended within its timeout.
 algebra::Error not_done(const Program& program, double timeout_s);
 
-/// Standard streams of a program. If one is nullptr, the input is empty, or the output is discarded.
+/// Standard streams of a program. An input that is nullptr is empty; an output that is nullptr is discarded.
 struct Streams {
   const Handle *input = nullptr, *output = nullptr, *error = nullptr;
 };

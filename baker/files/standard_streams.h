@@ -9,11 +9,11 @@ namespace coppermoon::files {
 
 /// Prepares the standard streams at the start of a program. If a stream is closed, its number is reserved, so that no
 /// file opened later is mistaken for it; using the stream still fails. If stderr's reader closes it, messages are lost,
-/// but the program goes on. Exceeding the limit on file sizes becomes an ordinary error.
+/// but the program continues. Exceeding the limit on file sizes becomes an ordinary error instead of a signal.
 void prepare_standard_streams();
 
-/// Status that main returns, after all streams are flushed. On Windows, this ends the program: the threads of some image
-/// libraries would wait there for each other for ever.
+/// Returns the status for main to return. On Windows, flushes all streams and ends the program at once instead, because
+/// the threads of some image libraries would wait for each other for ever.
 int end_program(int status);
 
 /// Whether stderr is a terminal.
@@ -22,7 +22,7 @@ bool errors_on_terminal();
 /// Writes to stderr without allocating memory.
 void say_at_once(std::string_view words);
 
-/// Discards all that is written to stderr, even by libraries, until hear_errors is called.
+/// Discards everything that is written to stderr, even by libraries, until hear_errors is called.
 ///
 /// Returned  the previous stderr, to be passed to hear_errors
 [[nodiscard]] Handle silence_errors();

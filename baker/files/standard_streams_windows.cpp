@@ -8,7 +8,7 @@
 #include "files/handle_windows.h"
 #include "files/standard_streams.h"
 
-/// The C library replaces patterns such as *.jpg by the files' names, which shells do on other systems.
+/// Makes the C library replace patterns such as *.jpg with names of files, as shells do on other systems.
 extern "C" {
 extern int _dowildcard;
 int _dowildcard = -1;
@@ -22,8 +22,7 @@ UINT earlier_code_page = 0;
 
 void restore_code_page() { ::SetConsoleOutputCP(earlier_code_page); }
 
-/// Ends the program at once, as a signal does elsewhere: files that were not whole yet vanish, and so do child
-/// processes.
+/// Ends the program at once, as a signal does on other systems. Incomplete files are removed; child processes end.
 BOOL WINAPI end_when_told(DWORD) {
   restore_code_page();
   ::TerminateProcess(::GetCurrentProcess(), STATUS_CONTROL_C_EXIT);
@@ -40,8 +39,8 @@ bool is_terminal(DWORD stream) {
 
 }  // namespace
 
-/// Streams are of bytes and UTF-8. The C library itself fails on a closed stream, and no signals are sent. No window
-/// asks what to do when the program or a library fails.
+/// Sets the standard streams to bytes, and consoles to UTF-8. Closed streams need no preparation, because using them
+/// fails anyway. No window will ask the user what to do if the program or a library fails.
 void prepare_standard_streams() {
   for (FILE* const stream : {stdin, stdout, stderr})
     if (const int number = ::_fileno(stream); number >= 0) ::_setmode(number, _O_BINARY);

@@ -8,13 +8,13 @@
 
 namespace coppermoon::files {
 
-/// Refuses to start work if there is no folder for temporary files.
+/// Throws if there is no folder for temporary files. Call it before work begins.
 ///
-/// Throws  Error  with the folder that the variable TMPDIR names
+/// Throws  Error  with the name of the folder in the environment variable TMPDIR
 void require_temporary_folder();
 
 /// Removes a file or folder if the program ends, or is killed, during this object's lifetime. A child process waits for
-/// that and removes it. On a system without a shell, the file or folder stays.
+/// the program's end and then removes the file or folder. On a system without a shell, nothing is removed.
 class RemovalAtEnd {
  public:
   explicit RemovalAtEnd(const std::filesystem::path& path);
@@ -22,7 +22,7 @@ class RemovalAtEnd {
   RemovalAtEnd& operator=(const RemovalAtEnd&) = delete;
 
  private:
-  std::optional<Pipe> alive_;  ///< closed when the program ends, or by the destructor
+  std::optional<Pipe> alive_;  ///< pipe that is closed when the program ends, or by the destructor
   RunningProgram remover_;
 };
 
@@ -43,7 +43,7 @@ class TemporaryFolder {
   std::optional<RemovalAtEnd> removal_;
 };
 
-/// Gives a file another name, in a temporary folder: by a link, or where links are not allowed, by a hard link or a copy.
+/// Gives a file a second name in a temporary folder: by a link or, if links are not allowed, by a hard link or a copy.
 ///
 /// Throws  std::filesystem::filesystem_error
 void name_also(const std::filesystem::path& file, const std::filesystem::path& name);

@@ -10,8 +10,8 @@
 
 namespace coppermoon::files {
 
-/// cmd waits in `set /p` until its input ends. It finds the path in a variable, since quotes in its command would be
-/// read in two ways.
+/// A child process, cmd, waits in `set /p` until its input ends. It takes the path from a variable, because cmd does
+/// not follow the usual rules for quotes on a command line.
 RemovalAtEnd::RemovalAtEnd(const std::filesystem::path& path) {
   try {
     alive_.emplace();

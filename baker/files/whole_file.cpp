@@ -42,7 +42,7 @@ algebra::Error cannot_write(const fs::path& path, std::error_code reason) {
 }
 
 fs::path place_of(const fs::path& path, std::error_code& failed) {
-  constexpr int most_links = 40;  // the limit that Linux sets
+  constexpr int most_links = 40;  // the same limit as on Linux
   auto place = fs::weakly_canonical(fs::absolute(path, failed), failed);
   std::error_code absent;
   for (int links = 0; !failed && fs::is_symlink(place, absent); ++links) {

@@ -28,20 +28,20 @@ void write_whole(const std::filesystem::path& path, const std::function<void(con
 /// Writes text to a file that appears whole or not at all.
 void write_whole(const std::filesystem::path& path, std::string_view text);
 
-/// Refuses a name that Windows gives to no file, on Windows: `a:b`, `con.exr`, one that ends in a dot or a blank.
+/// On Windows, throws if no file can have this name, such as `a:b`, `con.exr` or a name that ends in a dot or a space.
 ///
 /// Throws  Error
 void require_possible_name(const std::filesystem::path& path);
 
-/// Why Windows refuses a name of a file or folder; empty if it does not.
+/// Reason why Windows does not allow a name for a file or folder; empty if the name is allowed.
 std::string_view why_not_on_windows(std::string_view name);
 
-/// Refuses a pipe, a device or any other file from which reading might block or never end.
+/// Throws if a path is a pipe, a device or any other file from which reading might block or never end.
 ///
 /// Throws  Error  one line with the path, if it exists but is not a regular file
 void require_regular_file(const std::filesystem::path& path);
 
-/// Refuses a path at which no file could be written. Call it before the work whose result goes there.
+/// Throws if no file could be written at a path. Call this before computing what is to be written.
 ///
 /// Throws  Error  if the folder of the file (or of a link's target) is missing, if the path itself is a folder, or if
 ///                the system allows no such name

@@ -23,15 +23,15 @@ struct Air {
   const Column& column;
   double refractivity;
 
-  /// Amount by which n r exceeds r: (n − 1) r.
+  /// Optical excess (n − 1) r: the amount by which n r exceeds the distance r from the Earth's centre [m].
   double optical_excess(double h) const {
     return refractivity * atmosphere::density_ratio(column, h).value * (earth_radius_m + h);
   }
-  /// The height n r − R, which equals b − R at the tangent point.
+  /// Optical height n r − R, with the ground's radius R. At a ray's tangent point it equals b − R.
   double optical_height(double h) const { return h + optical_excess(h); }
 };
 
-/// Altitude where n r = b, found by bisection to the last digit. Bisection works because n r increases with altitude.
+/// Altitude of the tangent point, where n r = b, by bisection to the last digit. n r always increases with altitude.
 double tangent_height(const Air& air, double impact_height_m, double top_m) {
   constexpr int halvings = 64;
   double low = 0, high = top_m;
@@ -42,8 +42,8 @@ double tangent_height(const Air& air, double impact_height_m, double top_m) {
   return std::midpoint(low, high);
 }
 
-/// Inserts further breaks, because a break just above the tangent height leaves the next piece's integrand nearly
-/// singular. Every piece after the first then ends at most four times as far along √(r − r_t) as it begins.
+/// Inserts further breaks between altitudes, because the integrand is nearly singular in a piece that begins just above
+/// the tangent height. Afterwards, √(r − r_t) grows by a factor of at most four within every piece but the first.
 std::vector<double> with_short_pieces_first(std::vector<double> breaks) {
   constexpr double longest = 16;
   const double bottom_m = breaks.front(), top_m = breaks.back();
@@ -53,10 +53,10 @@ std::vector<double> with_short_pieces_first(std::vector<double> breaks) {
   return breaks;
 }
 
-/// Altitude below which the profiles of a given month's air have kinks at whole kilometres.
+/// Altitude below which the profiles of seasonal air (air given by month) have kinks at whole kilometres.
 constexpr double knees_below_m = 32e3;
 
-/// Altitudes from `bottom_m` to the top of the air that separate smooth pieces, at most 8 km apart.
+/// Altitudes, at most 8 km apart, that divide the air above `bottom_m` into pieces in which its profiles are smooth.
 std::vector<double> pieces_above(double bottom_m, const Column& column, double top_m) {
   constexpr double knees_apart_m = 1e3, longest_m = 8e3;
   std::vector<double> breaks = atmosphere::breaks_m(column);
@@ -65,7 +65,7 @@ std::vector<double> pieces_above(double bottom_m, const Column& column, double t
   if (column.seasonal_air)
     for (double h = knees_apart_m; h < knees_below_m; h += knees_apart_m) breaks.push_back(h);
   std::sort(breaks.begin(), breaks.end());
-  constexpr double rounding_m = 1e-11;  // rounding error of altitudes; closer breaks are dropped
+  constexpr double rounding_m = 1e-11;  // breaks closer to the bottom are rounding errors
   std::erase_if(breaks, [&](double h) {
     return h != bottom_m && h != top_m && (h < bottom_m + rounding_m || h > top_m);
   });
@@ -73,30 +73,30 @@ std::vector<double> pieces_above(double bottom_m, const Column& column, double t
   return breaks.size() > 2 ? with_short_pieces_first(std::move(breaks)) : breaks;
 }
 
-/// Range of altitudes in which the air is smooth.
+/// Range of altitudes in which the profiles of the air are smooth.
 struct Piece {
   double from_m, to_m;
 };
 
 /// Node of the quadrature over altitude, with the properties of the air there.
 struct Node {
-  double above_m, r_m, dh_m;  ///< height above the tangent height, distance from the centre, weight
+  double above_m, r_m, dh_m;  ///< height above tangent point, distance from Earth's centre, weight
   atmosphere::ValueAndSlope density;
   atmosphere::Amounts profiles;
 };
 
-/// One half of a ray, from its tangent height upwards.
+/// One half of a ray, from its tangent point upwards.
 struct HalfRay {
   Air air;
   LimbPath path;
   double at_tangent = air.optical_excess(path.tangent_height_m);
-  /// n r − b at the lower end of the current piece, if that end is close to the tangent height.
+  /// n r − b at the lower end of the current piece, if that end is close to the tangent point.
   double over_b_m = 0;
 
-  /// Below this height above the tangent, n r − b is not computed as a difference, because rounding would spoil it.
+  /// Closer than this to the tangent point, n r − b is not computed as a difference, because rounding would spoil it.
   static constexpr double close_m = 1e-4;
 
-  /// The difference n r − b; close to the tangent height, computed from the piece's lower end and the slope of n r.
+  /// The difference n r − b. Close to the tangent point, it is found from the piece's lower end and the slope of n r.
   double over_b(const Piece& piece, double above_m, const atmosphere::ValueAndSlope& density,
                 double r) const {
     if (above_m > close_m) return above_m + (air.refractivity * density.value * r - at_tangent);
@@ -119,13 +119,13 @@ struct HalfRay {
   void end(const Piece& piece) {
     const double above_m = piece.to_m - path.tangent_height_m;
     if (above_m > close_m) return;
-    const double h = std::midpoint(piece.from_m, piece.to_m);  // in the piece, not at the break
+    const double h = std::midpoint(piece.from_m, piece.to_m);  // slopes jump at the piece's ends
     over_b_m =
         over_b(piece, above_m, atmosphere::density_ratio(air.column, h), air.earth_radius_m + h);
   }
 };
 
-/// Number of quadrature nodes for a piece.
+/// Number of quadrature nodes for a piece of a ray's path.
 int nodes_of(const Piece& piece, const Column& column) {
   constexpr int a_piece = 16, above_knees = 10, between_knees = 3;
   if (!column.seasonal_air) return a_piece;

@@ -14,13 +14,13 @@ struct LimbPath {
   double tangent_height_m;        ///< lowest altitude of the bent ray
   double impact_height_m;         ///< b − R: impact parameter minus radius of the ground
   double bending_rad;             ///< total refraction, towards the Earth
-  atmosphere::Amounts amounts{};  ///< each profile integrated along the path
+  atmosphere::Amounts amounts{};  ///< profile of each absorber, integrated along the path
 };
 
 /// Table of a column's profiles (except dust), sampled every 25 m. Interpolating in the table is ten times as fast as
 /// evaluating the profiles.
 ///
-/// Accuracy  relative error of extinction 1e-5
+/// Accuracy  1e-5, as a relative error in extinction
 class ProfileTable {
  public:
   explicit ProfileTable(const atmosphere::Column& column);
@@ -36,19 +36,19 @@ class ProfileTable {
 ///
 ///     δ = −2 b ∫ (dn/dr) / (n √(n²r² − b²)) dr          a = 2 ∫ p(h) n r / √(n²r² − b²) dr
 ///
-/// Both integrals run from the tangent radius r_t, where n r = b, to the top of the air; p is any profile. The variable
-/// √(r − r_t) removes the singularity. Gauss–Legendre quadrature is used between the altitudes at which the slopes of
-/// the profiles jump. n r − b is computed as h − h_t + (n − 1) r − (n_t − 1) r_t, because this form loses no digits.
+/// Both integrals run from the tangent radius r_t, where n r = b, to the top of the air; p is any absorber's profile.
+/// The variable √(r − r_t) removes the singularity. Gauss–Legendre quadrature is used between the altitudes at which
+/// the slopes of the profiles jump. n r − b is computed as h − h_t + (n − 1) r − (n_t − 1) r_t, which loses no digits.
 ///
 /// Given     tangent_height_m  0 or more; above the top of the air the path is straight
 ///           earth_radius_m    radius of curvature of the ground along the path
 ///           refractivity      n₀ − 1, at sea level
 ///           table             profiles of the column; if nullptr, they are evaluated without a table
-/// Accuracy  relative: 1e-8 for bending, air, dust and tropospheric aerosol; 5e-5 for ozone and 2e-4 (at most 1e-3) for
-///           stratospheric aerosol, because their profiles have kinks; 5e-5 for the optical depth of undated air. In
-///           the air of a given month, 2e-5 for bending (2e-4 above 25 km) and 2e-4 for the optical depth. Rounding of
-///           altitudes makes it worse in the last micrometre below a break or the top of the air. In the last metre
-///           below 86 km it is 6 %, because US 1976 ends 5 cm lower
+/// Accuracy  relative errors: 1e-8 for bending, air, dust and tropospheric aerosol; 5e-5 for ozone and 2e-4 (at most
+///           1e-3) for stratospheric aerosol, because their profiles have kinks; 5e-5 for the optical depth of air that
+///           is not seasonal. In seasonal air, 2e-5 for bending (2e-4 above 25 km) and 2e-4 for the optical depth.
+///           Errors are larger in the last micrometre below a break or the top of the air, because altitudes are
+///           rounded. They reach 6 % in the last metre below 86 km, because US 1976 ends 5 cm lower
 /// Throws    Error  if the tangent height is below 0, or the air traps light (atmosphere::critical_refractivity)
 /// Source    Auer & Standish (2000), AJ 119, 2472, for the integrals
 LimbPath limb_path(double tangent_height_m, double earth_radius_m, const atmosphere::Column& column,
@@ -61,14 +61,14 @@ std::vector<LimbPath> limb_paths(double tangent_height_m, double earth_radius_m,
                                  std::span<const double> refractivities,
                                  const ProfileTable* table = nullptr);
 
-/// Refraction and extinction of a ray of one wavelength that passes the limb.
+/// Refraction and extinction of a ray past the limb, at one wavelength.
 struct LimbRay {
   double tangent_height_m, bending_rad;
-  double transmittance;  ///< due to optical depth, clouds, and ozone treated as a filter
-  double optical_depth;  ///< of all absorbers along the path
+  double transmittance;  ///< due to optical depth, clouds, and ozone (if it acts as a filter)
+  double optical_depth;  ///< sum over all absorbers along the path
 };
 
-/// Ray of one wavelength that passes the limb with the given impact parameter.
+/// Ray past the limb with the given impact parameter, at one wavelength.
 ///
 /// Given     impact_height_m  b − R: impact parameter minus radius of the ground
 /// Returned  nothing if the ray meets the ground

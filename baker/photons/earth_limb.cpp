@@ -41,8 +41,7 @@ std::vector<Seat> seats_of(const atmosphere::Atmosphere& atmosphere) {
 /// Gauss nodes between two position angles, to integrate a smooth function times harmonics up to `highest`.
 std::vector<algebra::QuadratureNode> nodes_between(double from, double to, int highest) {
   constexpr int count = 16;
-  constexpr double phase =
-      8;  // phase of a harmonic [rad] that the nodes of one piece can integrate to within rounding
+  constexpr double phase = 8;  // largest phase [rad] of a harmonic within one piece
   const double pieces = std::ceil((to - from) * (highest + 2) / phase),
                half = (to - from) / pieces / 2;
   std::vector<algebra::QuadratureNode> all;
@@ -52,7 +51,7 @@ std::vector<algebra::QuadratureNode> nodes_between(double from, double to, int h
   return all;
 }
 
-/// Sets coefficients that are only rounding errors to 0, and drops the highest harmonics that are 0 in all parts.
+/// Sets coefficients to 0 if they are only rounding errors, and drops the highest harmonics if they are 0 in all parts.
 void drop_negligible(std::vector<WholeLimb::Series>& all) {
   constexpr double negligible = 1e-12;
   std::size_t count = 1;

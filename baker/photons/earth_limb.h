@@ -10,18 +10,18 @@
 
 namespace coppermoon::photons {
 
-/// Number of parts of the limb (WholeLimb): one for each belt, and one or two for each other column in use.
+/// Number of parts in a WholeLimb: one for each belt of air, and one or two for each other column of air in use.
 std::size_t parts_of_limb(const atmosphere::Atmosphere& atmosphere);
 
-/// The Earth's limb, divided into parts that each have a table of rays. A belt is one part, with the ground's radius at
-/// the belt. Any other column is one part on a sphere, or two on an ellipsoid, at the equator and at the pole; between
-/// them, light is the mean of both, with cos² of the position angle as the pole's weight. Columns with no weight
-/// anywhere on the limb have no part.
+/// The Earth's limb, divided into parts that each have a table of rays. A belt of air is one part, with the ground's
+/// radius at the belt. Any other column of air is one part on a sphere. On an ellipsoid it is two parts, at the equator
+/// and at the pole. At other position angles, light is the mean of both, in which the pole has the weight cos² of the
+/// position angle. Columns that do not occur on the limb have no part.
 class WholeLimb {
  public:
   struct Part {
-    double radius_m;        ///< of the ground at the limb
-    std::vector<Fan> fans;  ///< by wavelength; empty with Fans::when_asked
+    double radius_m;        ///< radius of the ground at the limb
+    std::vector<Fan> fans;  ///< one for each wavelength; empty with Fans::when_asked
     double curvature_radius_m;
     atmosphere::Column column{};
     std::size_t column_index = 0;  ///< index in Atmosphere::columns()
@@ -35,8 +35,8 @@ class WholeLimb {
     std::vector<double> cosine, sine;
   };
 
-  /// When fans are made: all in the constructor, or each when `fan` is called, because fans for hundreds of wavelengths
-  /// would fill the memory.
+  /// Whether the constructor makes all fans of rays, or `fan` makes each of them when called. The latter saves memory,
+  /// because fans for hundreds of wavelengths are large.
   enum class Fans { made, when_asked };
 
   /// Given  optics  optical properties at each wavelength
@@ -46,10 +46,10 @@ class WholeLimb {
 
   const std::vector<Part>& parts() const { return parts_; }
 
-  /// Fan of rays for one part at one wavelength.
+  /// Fan of rays through one part of the limb, at one wavelength.
   ///
-  /// Given  optics  its refractivity must lie between those for which the limb was made
-  ///        air     the limb's atmosphere, or one that differs only in amounts of absorbers (LimbTable::fan)
+  /// Given  optics  its refractivity must be within the range for which the limb was made
+  ///        air     the limb's atmosphere, or one that differs only in amounts of absorbers (see LimbTable::fan)
   Fan fan(std::size_t part, const atmosphere::Optics& optics,
           const atmosphere::Atmosphere& air) const {
     return tables_[part].fan(optics, *air.columns()[parts_[part].column_index]);
@@ -61,10 +61,10 @@ class WholeLimb {
   ///           position angle
   std::array<Share, 2> at(double position_angle_rad) const;
 
-  /// Weight of each part as a Fourier series in the position angle.
+  /// Weight of each part of the limb as a Fourier series in the position angle.
   ///
   /// Given     highest  highest harmonic wanted, 0 or more
-  /// Returned  one series for each part, all up to the last harmonic that is nonzero in any part
+  /// Returned  one series for each part, all up to the highest harmonic that is nonzero in any part
   /// Accuracy  1e-12; smaller coefficients are set to 0
   std::vector<Series> series(int highest) const;
 
@@ -73,7 +73,7 @@ class WholeLimb {
   std::vector<Part> parts_;
   std::vector<LimbTable> tables_;  ///< one for each part with Fans::when_asked, otherwise none
   std::vector<std::size_t>
-      part_of_column_;  ///< each column's first part; arbitrary for a column not in use
+      part_of_column_;  ///< index of each column's first part; arbitrary for columns not in use
 };
 
 }  // namespace coppermoon::photons

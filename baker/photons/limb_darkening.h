@@ -25,38 +25,38 @@ namespace coppermoon::photons {
 /// Source    Neckel & Labs (1994), Solar Phys. 153, 91
 double limb_darkening(algebra::Wavelength wavelength, double cos_angle);
 
-/// Sun's disc as a stack of concentric uniform discs.
+/// The Sun's disc as a stack of concentric uniform discs.
 struct DiscLayers {
-  std::vector<double> radius;        ///< [layer] in solar radii; the outermost, 1, comes first
+  std::vector<double> radius;        ///< [layer], in solar radii; the first is 1, the whole disc
   algebra::Grid<double> brightness;  ///< (layer, wavelength), relative to the disc's mean radiance
 };
 
 /// Divides the Sun's disc into layers. The share of the Sun's light that comes from an area of the disc is the sum,
-/// over all layers, of the layer's brightness times its overlap with that area, divided by the area of the unit disc.
+/// over all layers, of a layer's brightness times its overlap with the area, divided by the area of the unit disc.
 ///
 ///     With limb darkening: one layer of radius 1 and brightness I(0)/Ī, and 32 layers of radius √(1 − μ²) and
-///     brightness w I′(μ)/Ī, with Gauss nodes μ and weights w on (0, 1). Without: one layer, radius and brightness 1
+///     brightness w I′(μ)/Ī, with Gauss nodes μ and weights w on (0, 1). Otherwise: one layer, radius and brightness 1
 ///
 /// Given     wavelengths_nm  380 to 780 nm
 /// Returned  layers for which Σ brightness radius² is 1 at every wavelength
-/// Accuracy  light from within any radius, 3e-4 of the Sun's light; the means of ρ² and ρ⁴ over the disc are exact
+/// Accuracy  light from within any radius ρ: 3e-4 of the Sun's light; the means of ρ² and ρ⁴ over the disc are exact
 /// Throws    Error           if limb-darkened and a wavelength is outside its range
 DiscLayers disc_layers(std::span<const double> wavelengths_nm, bool limb_darkened);
 
 /// Polynomial in the cosine μ, Σ a_k μ^k.
 using DiscFunction = std::array<double, 6>;
 
-/// Sun's disc as a sum of a few functions of the cosine μ. The functions are the same at all wavelengths.
+/// The Sun's disc as a sum of a few functions of the cosine μ, which are the same at all wavelengths.
 struct DiscTerms {
   std::vector<DiscFunction> functions;
   algebra::Grid<double>
-      brightness;  ///< (term, wavelength): coefficient of the function, relative to mean radiance
+      brightness;  ///< (term, wavelength): coefficient of the function; the mean radiance is 1
 };
 
 double value(const DiscFunction& function, double cos_angle);
 
-/// Represents the Sun's disc by terms that are chosen greedily. The first is the radiance at the middle wavelength;
-/// each of the others is the largest residual (rms over the disc) that remains at any wavelength.
+/// Represents the Sun's disc by terms that are chosen greedily. The first term is the radiance at the middle
+/// wavelength. Each further term is the largest residual (rms over the disc) that remains at any wavelength.
 ///
 /// Given     wavelengths_nm  380 to 780 nm
 ///           count           largest number of terms, 1 to 6

@@ -19,7 +19,7 @@ namespace {
 using atmosphere::Column;
 using atmosphere::Optics;
 
-/// Number of values that describe a path: its bending and the amounts of absorbers.
+/// Number of values that describe a ray's path: its bending and the amounts of absorbers along it.
 constexpr std::size_t parts_of_path = 1 + std::tuple_size_v<atmosphere::Amounts>;
 using Path = std::array<double, parts_of_path>;
 
@@ -35,7 +35,7 @@ LimbPath path_of(double tangent_height_m, const Path& all) {
   return path;
 }
 
-/// Tangent heights at which a fan must have rays: ground, breaks, cloud top, the column's top and the top of all air.
+/// Tangent heights at which a fan must have rays: ground, breaks, cloud top, top of the column and top of all air.
 std::vector<double> stations(const Column& column, double top_m) {
   auto heights = atmosphere::breaks_m(column);
   heights.insert(heights.end(), {0, std::max(top_m, heights.back())});
@@ -51,18 +51,18 @@ struct HeightRange {
 
   /// Tangent height at a place in the interval.
   ///
-  /// Given  place  0 at the lower end to 1 at the upper, linear in √(high − h)
+  /// Given  place  from 0 at the lower end to 1 at the upper end, linear in √(high − h)
   double height_m(double place) const {
     return high_m - (high_m - low_m) * (1 - place) * (1 - place);
   }
 };
 
-/// The j-th Chebyshev point between 0 and 1, both included, in decreasing order.
+/// The j-th Chebyshev point on [0, 1] for a polynomial of the given degree. The points decrease from 1 to 0.
 double chebyshev_place(int j, int degree) {
   return (1 + std::cos(std::numbers::pi * j / degree)) / 2;
 }
 
-/// Polynomial through values at Chebyshev points.
+/// Polynomial that passes through given values at the Chebyshev points.
 class Polynomial {
  public:
   explicit Polynomial(std::vector<Path> values) : values_(std::move(values)) {
@@ -106,8 +106,8 @@ std::vector<double> chebyshev_roots(double least, double greatest, int count) {
 }
 
 /// Measures how much the difference between two paths matters. Bending counts in milliradians, because one milliradian
-/// displaces a landing by the distance over which light changes by a factor e. Optical depth counts as it is, but less
-/// where transmittance is small.
+/// displaces a ray's landing by the distance over which light changes by a factor e. Differences in optical depth count
+/// as they are, or less if the transmittance is small.
 class Significance {
  public:
   Significance(const Column& column, const Optics& optics)
@@ -128,10 +128,10 @@ class Significance {
   atmosphere::Amounts spectra_;
 };
 
-/// Paths at the Chebyshev points of a piece, [refractivity][point].
+/// Paths of rays at the Chebyshev points of a range of heights, indexed by [refractivity][point].
 using Points = std::vector<std::vector<Path>>;
 
-/// Traces the rays through one column.
+/// Traces rays through one column of air.
 struct Follower {
   const Column& column;
   double earth_radius_m;
@@ -140,7 +140,7 @@ struct Follower {
   std::optional<ProfileTable> table =
       column.seasonal_air ? std::optional<ProfileTable>(column) : std::nullopt;
 
-  /// Paths at the Chebyshev points for a polynomial of the given degree.
+  /// Paths of rays at the Chebyshev points for a polynomial of the given degree.
   ///
   /// Given  known  paths at every second point, already traced for half the degree; may be empty
   Points at(const HeightRange& piece, int degree, const Points& known = {}) const {
@@ -159,8 +159,8 @@ struct Follower {
     return values;
   }
 
-  /// Paths at the Chebyshev points for a polynomial of sufficient degree. The degree is doubled until the polynomial of
-  /// half the degree predicts the paths at the greatest refractivity to within the tolerance.
+  /// Paths of rays at the Chebyshev points for a polynomial of sufficient degree. The degree is doubled until half the
+  /// degree suffices to predict the paths at the greatest refractivity to within the tolerance.
   Points sufficient(const HeightRange& piece, const Significance& significance,
                     double error) const {
     constexpr int lowest = 6, highest = 48;
@@ -183,8 +183,8 @@ struct Follower {
   }
 };
 
-/// Largest second difference of the paths, scaled to the whole interval. It would be the error of linear interpolation
-/// across the undivided interval.
+/// Largest second difference of the paths in an interval, scaled to its whole length. It estimates the error of linear
+/// interpolation across the undivided interval.
 double unevenness(const Polynomial& path, const Significance& significance) {
   constexpr int cuts = 16;
   double worst = 0;
@@ -198,7 +198,7 @@ double unevenness(const Polynomial& path, const Significance& significance) {
   return worst * cuts * cuts;
 }
 
-/// Number of rays for each interval, at least four; proportional to the root of unevenness, which minimises the error.
+/// Number of rays for each interval: at least four, in proportion to √unevenness, because this minimises the error.
 std::vector<int> shares_of_rays(std::span<const double> unevenness, int rays) {
   double all = 0;
   for (const double u : unevenness) all += std::sqrt(u);

@@ -8,55 +8,57 @@
 
 namespace coppermoon::photons {
 
-/// Rays of one wavelength that pass one part of the limb, from the ground up.
+/// Rays at one wavelength past one part of the limb, from the ground upwards.
 struct Fan {
   std::vector<double> tangent_height_m, impact_height_m, bending_rad;
-  std::vector<double> optical_depth;  ///< [ray], due to all absorbers along the path
+  std::vector<double> optical_depth;  ///< [ray], summed over all absorbers along the path
   std::vector<double> filter;         ///< [interval between rays], from atmosphere::limb_filter
 };
 
 /// Refractivities at which rays are traced, so that rays of all wavelengths can be interpolated between them.
 ///
-/// Given     count  3 or more
+/// Given     count  number of refractivities, 3 or more
 /// Returned  Chebyshev nodes; a single node if all refractivities are equal, or a single 0 if refraction is off
 std::vector<double> refractivity_nodes(const atmosphere::Column& column,
                                        std::span<const atmosphere::Optics> optics, int count);
 
-/// Interpolates a ray at one wavelength from rays that were traced at refractivity_nodes with the same tangent height.
+/// Weights for interpolating a ray at one wavelength from rays of the same tangent height, traced at
+/// refractivity_nodes.
 ///
 ///     δ = Σ s_k δ_k        τ = Σ s_k β · a_k
 ///
-/// where s_k are the Lagrange weights, β the spectra of the absorbers and a_k their amounts along the path.
+/// where δ is the bending, τ the optical depth, s_k the Lagrange weights, β the spectra of the absorbers and a_k their
+/// amounts along the path.
 struct Blend {
   double refractivity;                          ///< n₀ − 1; 0 if refraction is off
   std::vector<double> shares;                   ///< Lagrange weights s_k
-  std::vector<atmosphere::Amounts> extinction;  ///< s_k β
+  std::vector<atmosphere::Amounts> extinction;  ///< products s_k β
   double cloudy, clear;  ///< limb_filter for paths below and above the cloud's top
 };
 
 Blend blend(const atmosphere::Column& column, const atmosphere::Optics& optics,
             std::span<const double> nodes);
 
-/// Optical excess e = (ρ/ρ₀) r and its derivative with respect to altitude. b − R = h + (n₀ − 1) e at the tangent
-/// height h.
+/// Optical excess e = (ρ/ρ₀) r and its derivative with respect to altitude, with the density ρ and the distance r from
+/// the Earth's centre. At the tangent height h, b − R = h + (n₀ − 1) e.
 ///
 /// Given  earth_radius_m  radius of curvature of the ground along the path
 atmosphere::ValueAndSlope optical_excess_m(const atmosphere::Column& column, double earth_radius_m,
                                            double tangent_height_m);
 
 /// Table of limb rays through a column of air, computed once for all wavelengths. Bending and amounts are smooth in
-/// refractivity and, between breaks of the air, in √(h_b − h), with h_b the next break above the tangent height h. They
-/// are interpolated in both variables by polynomials through Chebyshev points. The tolerance determines how many rays
-/// are traced between two breaks.
+/// refractivity and, between breaks of the profiles, in √(h_b − h), with h_b the next break above the tangent height h.
+/// They are interpolated in both variables by polynomials through Chebyshev points. The tolerance determines how many
+/// rays are traced between two breaks.
 ///
 /// Given     earth_radius_m  radius of curvature of the ground along the path
-///           optics          for all wavelengths that will be requested
-///           top_m           altitude up to which a fan has rays, if that is above the top of this air
+///           optics          optical properties at all wavelengths that will be requested
+///           top_m           altitude up to which a fan has rays, if that is above the top of this column
 ///           rays            number of rays in a fan; they are densest just below breaks, and where bending and optical
 ///                           depth curve most
-/// Accuracy  compared with limb_path at the same tangent height, with e = 10/rays²: e × 1e-3 rad for bending; e for
-///           optical depths up to 4, and e/4 relative for larger ones. If the path has ozone or aerosol, whose profiles
-///           have kinks, no better than 1e-3 at single heights
+/// Accuracy  compared with limb_path at the same tangent height, with e = 10/rays²: e × 1e-3 rad for bending, e for
+///           optical depths up to 4, and a relative error of e/4 for larger ones. If the path contains ozone or
+///           aerosol, whose profiles have kinks, errors at single heights may reach 1e-3
 class LimbTable {
  public:
   LimbTable(const atmosphere::Column& column, double earth_radius_m,
@@ -64,8 +66,8 @@ class LimbTable {
 
   /// Fan of rays at one wavelength.
   ///
-  /// Given  optics  its refractivity must lie between those for which the table was made
-  ///        column  may differ from the table's column only in amounts, and must have no absorber that it lacks
+  /// Given  optics  its refractivity must be within the range for which the table was made
+  ///        column  the table's column, or one with other amounts of the same absorbers
   Fan fan(const atmosphere::Optics& optics, const atmosphere::Column& column) const;
 
   /// Number of rays traced through the air.
@@ -73,7 +75,7 @@ class LimbTable {
 
  private:
   std::vector<double> tangent_heights_m_, refractivities_;
-  std::vector<double> optical_excess_m_;      // [ray] ρ/ρ₀ r
+  std::vector<double> optical_excess_m_;      // [ray], (ρ/ρ₀) r
   std::vector<std::vector<LimbPath>> paths_;  // [refractivity][ray]
   std::size_t followed_ = 0;
 };

@@ -14,7 +14,7 @@ using atmosphere::Atmosphere;
 using atmosphere::Column;
 using atmosphere::Optics;
 
-/// Finds the column of air above a point. Between two belts, a photon is assigned to one of them at random.
+/// Finds the column of air above a point. Between two belts of air, a photon is assigned to one of them at random.
 class Overhead {
  public:
   Overhead(const Atmosphere& atmosphere, double chance)
@@ -32,7 +32,7 @@ class Overhead {
   double chance_;
 };
 
-/// Air at a ray's current point.
+/// The column of air at a ray's current point, and its spectra.
 struct Standing {
   const Column* column;
   atmosphere::Amounts spectra;

@@ -10,57 +10,57 @@
 namespace coppermoon::plan {
 namespace {
 
-/// Times in seconds on one core of the machine on which the model was measured: AVX-512 at 3 GHz, under load.
+/// Times [s] for single steps on one core of the machine on which they were measured: AVX-512 at 3 GHz, under load.
 struct Costs {
-  double ray_followed = 8e-6;       ///< per ray traced; each part of the limb needs 250 or more
-  double fan_ray = 58e-9;           ///< per interpolated ray and wavelength
-  double landed_ray = 160e-9;       ///< per ray that lands, wavelength and plane
-  double place = 33e-6;             ///< per place, to cut the Sun's disc into stretches
-  double place_term = 6e-6;         ///< per place, term and harmonic, for the arcs
-  double place_wavelength = 74e-9;  ///< per place, term, harmonic, part and wavelength
-  double angle_harmonic = 30e-9;    ///< per place, angle, term, part and harmonic
-  double angle_wavelength = 30e-9;  ///< per place, angle, term, part and wavelength
+  double ray_followed = 8e-6;       ///< time per traced ray; each limb part needs 250 or more
+  double fan_ray = 58e-9;           ///< time per interpolated ray and wavelength
+  double landed_ray = 160e-9;       ///< time per landing ray, wavelength and plane
+  double place = 33e-6;             ///< time per place to divide the Sun's disc into stretches
+  double place_term = 6e-6;         ///< time per place, term and harmonic to integrate along arcs
+  double place_wavelength = 74e-9;  ///< time per place, term, harmonic, limb part and wavelength
+  double angle_harmonic = 30e-9;    ///< time per place, angle, term, limb part and harmonic
+  double angle_wavelength = 30e-9;  ///< time per place, angle, term, limb part and wavelength
   double lookup = 6e-3;
-  double trial = 45e-3;  ///< to find the effect of every term
+  double trial = 45e-3;  ///< time to find out how much each term of the light matters
   double twilight = 40e-3, twilight_wavelength = 1e-3;
-  double photon_wavelength = 2.2e-9;  ///< per photon, wavelength and plane, with rings only
-  double sectors_dearer = 8;          ///< factor if photons are gathered in sectors too
+  double photon_wavelength = 2.2e-9;  ///< time per photon, wavelength and plane, without sectors
+  double sectors_dearer = 8;          ///< factor by which gathering in sectors takes longer
   double photon_literal = 163e-6;
   /// measured time to compute the light, divided by the sum of the estimates for its steps
   double together = 1.75;
-  double start = 0.22;   ///< to start the program and its image libraries, if a texture is written
-  double texel = 48e-9;  ///< per texel, to light and to write it
+  double start = 0.22;   ///< time to start the program and its image libraries, for a texture
+  double texel = 48e-9;  ///< time per texel to light it and to write it
   double map_file = 0.2;
 };
 
-/// Relative error of scattered light, which is computed at only a few places and wavelengths.
+/// Relative error of scattered light, which arises because it is computed at only a few places and wavelengths.
 constexpr double scattered_error = 3e-3;
 
-/// Relative error of luminance if a single photon were traced: two standard errors in the noisiest ring of 50 km. It
-/// falls with the square root of the number of photons.
+/// Relative error of luminance if only one photon were traced: two standard errors in the noisiest ring of 50 km width.
+/// For N photons, the error is smaller by a factor of √N.
 double noise(Solver solver) { return solver == Solver::literal ? 250 : 35; }
 
-/// Number of sectors in which photons are gathered; 1 if light is symmetric about the axis.
+/// Number of sectors in which photons are gathered; 1 if light is symmetric about the shadow axis.
 double sectors(const Work& work, const Scene& scene) {
   const bool alike = !(work.ellipsoid && scene.ellipsoid) && !(work.regions && scene.columns > 1);
   return alike ? 1 : 24;
 }
 
-/// Number of axis distances at which light is computed: one every 100 km, and more where light is not smooth.
+/// Number of axis distances at which light is computed: one every 100 km, and those inserted to reach the tolerance.
 double distances(const Work& work, const Scene& scene) {
   const double across_m = scene.farthest_m - scene.nearest_m;
   const double share = std::min(1., scene.without_refracted);
   return across_m / 100e3 + 2 + 26 * share * std::max(0., std::log10(0.1 / work.place_error));
 }
 
-/// Seconds on one core to compute light at a number of places, once all rays have landed.
+/// Time on one core [s] to compute light at a number of places, after the landings of all rays have been computed.
 double seconds_of_places(const Work& work, const Scene& scene, double places) {
   const Costs cost;
   const bool regions = work.regions && scene.columns > 1;
   const double waves = 8 * std::ceil(work.bands / 8.);
   const double terms = scene.limb_darkening ? work.sun_terms : 1;
   const bool ellipsoid = work.ellipsoid && scene.ellipsoid;
-  const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // half as many parts on a sphere
+  const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // a sphere's limb has half the parts
   const double parts = regions ? fewer * static_cast<double>(scene.parts) : ellipsoid ? 2 : 1;
   // Regions need fifty harmonics on average, but each costs only half, because harmonics share their bins.
   const double harmonics = regions ? (scene.borders ? 25 : 11) : ellipsoid ? 2 : 1;
@@ -81,15 +81,15 @@ double seconds_of_places(const Work& work, const Scene& scene, double places) {
   return places * std::min(series, by_angle);
 }
 
-/// Seconds on one core for the quadrature.
+/// Time on one core [s] to compute light by quadrature.
 double seconds_of_quadrature(const Work& work, const Scene& scene, double distances) {
   const Costs cost;
   const bool ellipsoid = work.ellipsoid && scene.ellipsoid;
   const bool regions = work.regions && scene.columns > 1;
-  const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // half as many parts on a sphere
+  const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // a sphere's limb has half the parts
   const double parts = regions ? fewer * static_cast<double>(scene.parts) : ellipsoid ? 2 : 1;
   const double rays = work.rays;
-  // finer tolerances mean more rays, which need more cuts and, at sharp borders, more harmonics too
+  // More rays need more divisions of the Sun's disc and, if the air has sharp borders, more harmonics too.
   const double cuts =
       regions && scene.borders && rays > 300 ? 1.3 * std::pow(rays / 300, 1.2) : 1 + rays / 1000;
   const double places = distances * work.planes * cuts;
@@ -98,7 +98,7 @@ double seconds_of_quadrature(const Work& work, const Scene& scene, double distan
          seconds_of_places(work, scene, places);
 }
 
-/// Seconds on one core to check the error of light at thirty places.
+/// Time on one core [s] to check the error of light at thirty places.
 double seconds_of_check(const Work& work, const Scene& scene) {
   return seconds_of_quadrature(finer(work), scene, 8);
 }

@@ -7,14 +7,15 @@
 
 namespace coppermoon::plan {
 
-/// Setting of a knob, and the relative error of luminance that it causes.
+/// Value of a setting, and the relative error of luminance that it causes.
 struct LawPoint {
   double setting, error;
 };
 
-/// Error due to each knob alone: the 95th percentile over scenes in which the Moon's disc reaches into the umbra. It
-/// was measured for sixty random eclipses in random air, relative to the finest settings. A hundred planned runs check
-/// all knobs together (tests/end_to_end/planned_runs). With few bands, Rec. 709 red and green err about twice as much.
+/// Relative error of luminance due to each setting alone: the 95th percentile over scenes in which the Moon's disc
+/// reaches into the umbra. It was measured for sixty random eclipses in random air, relative to the finest settings. A
+/// hundred planned runs check all settings together (tests/end_to_end/planned_runs). With few bands, the errors of Rec.
+/// 709 red and green are about twice as large.
 inline constexpr std::array<LawPoint, 7> law_of_bands{
     {{10, 0.035}, {24, 9.5e-3}, {32, 3e-3}, {48, 1e-3}, {80, 1.3e-4}, {200, 6e-5}, {400, 1e-6}}};
 inline constexpr std::array<LawPoint, 7> law_of_rays{{{60, 0.03},
@@ -37,8 +38,8 @@ inline constexpr std::array<LawPoint, 8> law_of_place_error{{{3e-5, 2e-5},
                                                              {0.03, 0.02},
                                                              {0.1, 0.11}}};
 
-/// Error at a setting, interpolated linearly between a law's points in both logarithms and extrapolated beyond its
-/// ends.
+/// Error at a given value of a setting. Between and beyond the points of a law, it is interpolated and extrapolated
+/// linearly in the logarithms of value and error.
 double law(std::span<const LawPoint> points, double setting);
 
 }  // namespace coppermoon::plan

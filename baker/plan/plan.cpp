@@ -16,11 +16,11 @@
 namespace coppermoon::plan {
 namespace {
 
-/// Names of the terms, in the order of Term.
+/// Names of the terms of the light, in the order of the enumeration Term.
 constexpr std::array<std::string_view, 4> term_names{"light through the air", "ellipsoid",
                                                      "regions", "scattered light"};
 
-/// Settings of a knob, from the cheapest to the finest, and the function that applies one of them.
+/// The values of one setting, from the cheapest to the finest, and the function that applies one of them to a Work.
 struct Knob {
   std::vector<double> settings;
   std::function<void(Work&, double)> turn;
@@ -34,8 +34,8 @@ Knob knob(std::vector<double> settings, const std::optional<Member>& by_hand,
           [member](Work& work, double value) { work.*member = static_cast<Member>(value); }};
 }
 
-/// One knob for each term, with the settings off and, if the term makes a difference, on. Refracted light is always on
-/// if the tolerance requires it, because coarse refracted light may be worse than none.
+/// Knobs that switch the terms of the light. Each can be off and, if the term makes a difference, on. Refracted light
+/// is always on if its absence would exceed the tolerance, because coarse refracted light may be worse than none.
 std::vector<Knob> switches(double tolerance, const Scene& scene, const ByHand& by_hand) {
   const auto term = [&](bool Work::*member, bool there, bool always = false) -> Knob {
     std::vector<double> settings{0};
@@ -58,7 +58,7 @@ std::vector<double> doubled(double from, double to) {
 std::vector<Knob> knobs(double tolerance, const Scene& scene, const ByHand& by_hand,
                         Solver solver) {
   auto all = switches(tolerance, scene, by_hand);
-  // from 24 up, multiples of eight, because eight bands are computed together
+  // from 24 upwards, numbers of bands are multiples of eight, because eight bands are computed together
   all.push_back(knob({10, 24, 32, 48, 80, 200, 400}, by_hand.bands, &Work::bands));
   all.push_back(knob({1, 2, 3, 5, 9}, by_hand.planes, &Work::planes));
   if (traces_photons(solver)) {
@@ -75,7 +75,7 @@ std::vector<Knob> knobs(double tolerance, const Scene& scene, const ByHand& by_h
   return all;
 }
 
-/// Greedy search that starts with the coarsest work and refines one knob at a time.
+/// Greedy search that starts with the coarsest settings and refines one of them at a time.
 class Refinement {
  public:
   Refinement(double tolerance, const Scene& scene, const ByHand& by_hand, Solver solver)
@@ -92,7 +92,7 @@ class Refinement {
     return work;
   }
 
-  /// Refines the knob that gains most accuracy for its time; returns false if no refinement helps.
+  /// Refines the setting that gains the most accuracy for its time. Returns false if no refinement helps.
   bool refine() {
     double best = 0;
     std::size_t chosen = knobs_.size();
@@ -143,7 +143,7 @@ class Refinement {
   Work work_;
 };
 
-/// Terms of the light that some work leaves out, the largest first.
+/// Terms of the light that the given work leaves out, the largest first.
 std::vector<LeftOut> left_out(const Work& work, const Scene& scene) {
   std::vector<LeftOut> all;
   if (!work.refracted) all.push_back({Term::refracted, scene.without_refracted});
@@ -157,7 +157,7 @@ std::vector<LeftOut> left_out(const Work& work, const Scene& scene) {
 Plan plan_with(Solver solver, double tolerance, const Scene& scene, const Machine& machine,
                const ByHand& by_hand) {
   Refinement refinement(tolerance, scene, by_hand, solver);
-  // if the user's settings alone exceed the tolerance, the other settings need not compensate for that
+  // if the user's settings alone cause an error above the tolerance, the other settings need not make up for it
   const double least = predicted_error(refinement.finest(), scene);
   const double goal = least > tolerance ? least + tolerance : tolerance;
   while (predicted_error(refinement.work(), scene) > goal && refinement.refine()) {
@@ -172,9 +172,9 @@ Plan plan_with(Solver solver, double tolerance, const Scene& scene, const Machin
           {}};
 }
 
-/// Plans with the cheapest solver that reaches the tolerance. If none does, it takes the quickest, because photons
-/// might take weeks for a tiny gain. The solver is chosen as if the user had set nothing: a user who asks for few rays
-/// wants a coarse quadrature, not photons.
+/// Makes a plan with the cheapest solver that reaches the tolerance. If none does, it uses the quickest, because
+/// photons might take weeks for a tiny gain. The solver is chosen as if the user had set nothing, because a user who
+/// asks for few rays wants a coarse quadrature, not photons.
 Plan plan_within(double tolerance, const Scene& scene, const Machine& machine,
                  const ByHand& by_hand) {
   const auto tried = by_hand.solver == Solver::automatic
@@ -220,9 +220,9 @@ Work finer(const Work& work) {
   finer.sun_terms = std::clamp(work.sun_terms + 1, fine_terms, most_terms);
   finer.rays = work.solver == Solver::quadrature
                    ? std::clamp(work.rays, fine_rays / 2, most_rays / 2) * 2
-                   : fine_rays;  // these rays err by 3e-4, about the noise of ten billion photons
+                   : fine_rays;  // an error of 3e-4, about the noise of ten billion photons
   finer.planes = 1;
-  // light is compared only at places where it is computed; this setting only decides how close they are
+  // light is compared only where it is computed, so this setting only decides how close together the places are
   finer.place_error = 0.01;
   return finer;
 }
@@ -248,8 +248,7 @@ Plan plan_for(const Scene& scene, const Wish& wish, const Machine& machine, cons
 }
 
 Work work_of_rays(double tolerance, bool limb_darkening, const ByHand& by_hand) {
-  auto all_but_rays =
-      by_hand;  // all else at its finest, which leaves the whole tolerance for rays and Sun's terms
+  auto all_but_rays = by_hand;  // all other settings are at their finest and cause no error
   all_but_rays.bands = 400, all_but_rays.planes = 9, all_but_rays.place_error = 3e-5;
   return plan_for({.limb_darkening = limb_darkening, .ellipsoid = false}, {.tolerance = tolerance},
                   {}, all_but_rays)

@@ -12,7 +12,7 @@
 namespace coppermoon::plan {
 
 /// Ways to compute refracted light: the quadrature, which has no noise; photons through a table of the limb's rays;
-/// literal photons, traced step by step exactly as Yapo & Cutler (2009) do; or automatic, if a plan is to choose.
+/// literal photons, traced step by step exactly as Yapo & Cutler (2009) do; or automatic, which lets the plan choose.
 enum class Solver { quadrature, table, literal, automatic };
 
 /// Solvers among which a plan chooses.
@@ -30,20 +30,20 @@ struct Work {
   Solver solver = Solver::quadrature;
   double photons = 0;     ///< number of photons; 0 for the quadrature
   bool refracted = true;  ///< light refracted by the air; if false, only direct sunlight
-  bool ellipsoid =
-      true;  ///< if false, Earth is a sphere with the limb's radius at the Moon's position angle
-  bool regions = true;           ///< if false, the air outside all regions fills the limb
+  /// if false, the Earth is a sphere with the radius that the limb has at the Moon's position angle
+  bool ellipsoid = true;
+  bool regions = true;           ///< if false, the air outside all regions is used everywhere
   bool scattered_light = false;  ///< twilight that the air scatters into the shadow
   int bands = 200;               ///< number of wavelength bands
   int rays = 1000;               ///< number of rays in the limb table and the quadrature
-  int sun_terms = 6;             ///< number of terms for the limb-darkened Sun
-  int planes = 2;                ///< number of planes across the Moon's depth
+  int sun_terms = 6;             ///< number of terms that represent the limb-darkened Sun
+  int planes = 2;                ///< number of shadow planes across the Moon's depth
   double place_error = 1e-3;     ///< tolerance for interpolation between axis distances
 };
 
-/// Reference settings against which the error of the given work is estimated: one plane, all terms of refracted light,
-/// one more term for the Sun, and twice as many bands and rays. None is coarse, because two coarse settings may share
-/// an error. Photons are compared with a quadrature whose rays err by less than the photons' noise.
+/// Finer settings, whose light is the reference for the error of the given work: one plane, all terms of refracted
+/// light, one more term for the Sun, and twice as many bands and rays. None is coarse, because two coarse settings may
+/// share an error. Photons are compared with a quadrature whose rays err by less than the photons' noise.
 Work finer(const Work& work);
 
 /// Settings made by the user; the plan chooses those that are absent.
@@ -52,7 +52,7 @@ struct ByHand {
   std::optional<double> photons{};
   std::optional<int> bands{}, rays{}, sun_terms{}, planes{};
   std::optional<double> place_error{};
-  std::optional<Work> terms{};   ///< only the four switches in it are used
+  std::optional<Work> terms{};   ///< only the switches of the four terms are used
   bool scattered_light = false;  ///< forces scattered light, however faint, unless `terms` is given
 };
 
@@ -61,12 +61,12 @@ struct Scene {
   double nearest_m = 0, farthest_m = 0;  ///< least and largest axis distance of the Moon's disc
   bool limb_darkening = true, ellipsoid = true;
   std::size_t columns = 1;  ///< number of columns of air; more than 1 with regions or belts
-  std::size_t parts = 1;    ///< number of parts of the limb with their own rays, if columns > 1
+  std::size_t parts = 1;    ///< number of parts of the limb with separate rays, if columns > 1
   bool borders = false;     ///< whether the air changes abruptly somewhere, as with regions
-  double texels = 0;        ///< number of baked texels; 0 if there is no texture
+  double texels = 0;        ///< number of texels in the baked texture; 0 without a texture
   bool map_file = false;    ///< whether an albedo map is read
 
-  /// Largest relative change of luminance anywhere on the disc if a term is left out.
+  /// Largest relative change of luminance anywhere on the disc if the named term of the light is left out.
   double without_refracted = 1, without_ellipsoid = 0, without_regions = 0, without_scattered = 0;
 };
 
@@ -76,9 +76,8 @@ struct Wish {
   std::optional<double> budget_s{};   ///< computing time, at least 1e-3 s
 };
 
-/// Speed of a machine.
 struct Machine {
-  double speed = 1;  ///< of one core, relative to the machine used to measure the cost model
+  double speed = 1;  ///< speed of one core; 1 for the machine on which costs were measured
   int cores = 2;
 };
 
@@ -102,20 +101,20 @@ Term term_named(std::string_view name);
 
 struct LeftOut {
   Term term;
-  double size;  ///< relative change of luminance without it
+  double size;  ///< relative change of luminance if the term is left out
 };
 
 struct Plan {
   Work work{};
-  double tolerance = 0;  ///< tolerance for which the work was chosen
+  double tolerance = 0;  ///< tolerance for which the settings were chosen
   double seconds = 0, error = 0;
   std::vector<LeftOut> left_out{};
-  std::vector<Alternative> methods{};  ///< methods considered, best first
-  bool misses_tolerance = false;       ///< no plan meets it, at any cost or within the budget
-  bool exceeds_budget = false;         ///< even the coarsest work takes too long
+  std::vector<Alternative> methods{};  ///< solvers considered, best first
+  bool misses_tolerance = false;       ///< whether no affordable plan meets the tolerance
+  bool exceeds_budget = false;         ///< whether even the coarsest work takes too long
 };
 
-/// Time in seconds, and the largest relative error of luminance on the disc.
+/// Computing time in seconds, and the largest relative error of luminance on the Moon's disc.
 struct Cost {
   double seconds = 0, error = 0;
 };
@@ -165,22 +164,22 @@ double predicted_seconds(const Work& work, const Scene& scene, const Machine& ma
 
 /// Predicted bound on the relative error of luminance anywhere on the disc.
 ///
-/// Accuracy  95 of 100 scenes stay within the bound
+/// Accuracy  the error stays within the bound in 95 of 100 scenes
 double predicted_error(const Work& work, const Scene& scene);
 
-/// Plans the cheapest work, with the cheapest solver, whose predicted error is within the tolerance. The search is
-/// greedy: it begins with the coarsest work and adds, one at a time, the refinement or the term that removes most error
-/// for its time. The solver is chosen as if the user had set nothing. If no solver reaches the tolerance, the quickest
-/// is taken. If the tolerance is out of reach for this reason, or because of the user's settings, the error may exceed
-/// the least possible one by the tolerance. With a budget, the plan has the finest tolerance for which there is time;
-/// if there is not enough time for any, it is the coarsest work.
+/// Finds the cheapest settings, with the cheapest solver, whose predicted error is within the tolerance. The search is
+/// greedy: it begins with the coarsest settings and adds, one at a time, the refinement or the term that removes the
+/// most error for its time. The solver is chosen as if the user had set nothing. If no solver reaches the tolerance,
+/// the quickest is used. If the tolerance cannot be reached with that solver, or with the user's settings, the error
+/// may exceed the least possible error by the tolerance. With a budget, the plan meets the finest tolerance for which
+/// there is time. If there is not enough time for any tolerance, the plan has the coarsest settings.
 ///
 /// Given     by_hand  settings made by the user, which the plan keeps
-/// Throws    Error    if a wish is outside its range, or has neither tolerance nor budget
+/// Throws    Error    if the tolerance or the budget is outside its range, or both are absent
 Plan plan_for(const Scene& scene, const Wish& wish, const Machine& machine,
               const ByHand& by_hand = {});
 
-/// Work for light at given places and wavelengths on one plane. Only the numbers of rays and of the Sun's terms are
+/// Settings for light at given places and wavelengths on one plane. Only the numbers of rays and of the Sun's terms are
 /// chosen; the other settings are the finest ones.
 ///
 /// Given   by_hand  the user's numbers of rays and of the Sun's terms, which the plan keeps

@@ -21,7 +21,7 @@ std::size_t letters_apart(std::string_view a, std::string_view b) {
 }
 
 std::string nearest(std::string_view word, const std::vector<std::string>& known) {
-  word = word.substr(0, 100);  // all known words are shorter
+  word = word.substr(0, 100);  // all known words are shorter than this
   return *std::ranges::min_element(known, {},
                                    [&](const auto& one) { return letters_apart(word, one); });
 }

@@ -124,7 +124,7 @@ std::string fault_in(Kind kind, const std::string& text) {
 }
 
 std::string spelt(Kind kind, const std::string& text) {
-  if (kind == Kind::number)  // adding 0 turns -0 into 0, as TOML has no whole number -0
+  if (kind == Kind::number)  // adding 0 turns -0 into 0, because TOML has no integer -0
     if (const auto number = algebra::number_in(text)) return fmt::format("{}", *number + 0.);
   if (kind == Kind::whole) return text_of(whole_in<int>(text).value);
   if (kind == Kind::natural) return text_of(whole_in<std::size_t>(text).value);
@@ -218,7 +218,7 @@ std::string reason_of(const Parameters& all, const Parameter& parameter,
 std::vector<std::string> without_effect(const Parameters& parameters,
                                         const std::function<std::string(const Parameter&)>& spelt,
                                         const std::function<bool(const Parameter&)>& asked) {
-  std::vector<std::pair<std::string, std::string>> names;  // reason; its parameters
+  std::vector<std::pair<std::string, std::string>> names;  // each reason with its parameters
   for (const auto& parameter : parameters) {
     if (!parameter.given || !asked(parameter)) continue;
     const auto reason = reason_of(parameters, parameter, spelt);

@@ -19,7 +19,7 @@ namespace coppermoon::request {
 
 /// The kind of value that a parameter takes.
 enum class Kind {
-  number,    ///< a number
+  number,    ///< any real number
   whole,     ///< a whole number
   natural,   ///< a whole number, 0 or more
   word,      ///< one of `Parameter::words`
@@ -31,7 +31,7 @@ enum class Kind {
   folder_written
 };
 
-/// The earliest stage of the work that a parameter affects; all later stages are affected too.
+/// The earliest step of the computation that a parameter affects; all later steps are affected too.
 enum class Affects {
   photons,  ///< tracing photons and computing light from them
   light,    ///< the light that reaches the Moon
@@ -57,11 +57,11 @@ struct UnknownWord : algebra::Error {
 
 class Parameters;
 
-/// A condition that another parameter must meet: to have any value, or one of several values.
+/// A condition that another parameter must meet: to have any value at all, or to have one of several values.
 struct Condition {
   std::string name;  ///< name of the other parameter
   /// Values that meet the condition; if empty, any value does. If the parameter's value is a list separated by commas,
-  /// one matching part is enough. A value such as ".png" matches all strings with this ending.
+  /// one matching item is enough. A value such as ".png" matches all strings with this ending.
   Texts values{};
 };
 using Conditions = std::vector<Condition>;
@@ -69,42 +69,42 @@ using Conditions = std::vector<Condition>;
 /// How other parameters decide whether a parameter has an effect. Parameters that a command does not have are ignored.
 struct Relation {
   bool
-      needed;  ///< if true, one of the conditions must hold to have an effect; if false, none may hold
+      needed;  ///< if true, at least one condition must hold for an effect; if false, none may hold
   Conditions conditions;
-  Texts of{};  ///< values of the parameter to which this applies; if empty, all
+  Texts of{};  ///< the parameter's values to which the relation applies; if empty, all
 };
 
 /// One parameter of a request, bound to the variable that holds its value (its field).
 ///
 /// Values are passed as text. A number is written so that reading it gives exactly the same number.
 struct Parameter {
-  std::string name;  ///< such as "ozone-du": the flag without dashes, and the key in recipes
-  /// All spellings of the flag, such as "-o,--output"; only the name if the flag is "--" followed by the name
+  std::string name;  ///< flag without dashes, and key in recipes, such as "ozone-du"
+  /// All spellings of the flag, such as "-o,--output". If the long spelling is the only one, it is without dashes.
   std::string spelling;
   Kind kind = Kind::text;
   std::string meaning;  ///< explanation for users, with unit and range
   std::optional<Range> range{};
   Texts words{};
-  /// Allowed endings of a file to be written, each with the file's content. If empty, `meaning` names them.
+  /// Endings that a file to be written may have, each with the file's content. If there are none, `meaning` names them.
   std::vector<std::pair<std::string, std::string>> endings{};
-  std::string usual{};    ///< default, which is the field's initial value; empty if none
+  std::string usual{};    ///< the default, which is the field's initial value; empty if none
   std::string heading{};  ///< heading under which help lists the parameter
-  std::string table{};    ///< TOML table in recipes, such as "camera"; empty if in none
+  std::string table{};    ///< TOML table for it in recipes, such as "camera"; empty if none
   Affects affects = Affects::ground;
-  bool planned = false;  ///< in a result's recipe, replaced by the value that was chosen
-  bool many = false;     ///< may be given several times, and all values count
+  bool planned = false;  ///< a result's recipe holds the value that the plan chose instead
+  bool many = false;     ///< may be given several times, and all its values are used
   bool is_required = false;
-  Texts excluded{};                     ///< parameters with which it cannot be combined
-  std::shared_ptr<Parameters> parts{};  ///< parts, if values are like "name=text,name=text"
-  std::vector<Relation> relations{};    ///< decide whether the parameter has an effect
+  Texts excluded{};                     ///< parameters with which this one cannot be combined
+  std::shared_ptr<Parameters> parts{};  ///< parts of a value such as "name=text,name=text"
+  std::vector<Relation> relations{};    ///< conditions for the parameter to have an effect
   std::optional<Texts> given{};         ///< strings that the user gave, as recipes spell them
 
   std::function<Texts()> read{};  ///< returns the field's value as strings
   /// Sets the field; throws algebra::Error for strings that are not allowed
   std::function<void(const Texts&)> write{};
   std::function<void()> restore{};  ///< restores the field's initial value
-  /// Spells a string as recipes do, such as "10" for "10s". If empty, the function `spelt` does. Throws algebra::Error
-  /// for a string that is not allowed
+  /// Spells a string as recipes do, such as "10" for "10s". Throws algebra::Error for a string that is not allowed. If
+  /// this function is empty, the function `spelt` is used.
   std::function<std::string(const std::string&)> respelt{};
 
   /// The strings that the user gave, or else the field's value as strings.
@@ -151,12 +151,12 @@ struct Parameter {
     return respelt = std::move(how), *this;
   }
   /// Declares that the parameter has an effect only if one of the conditions holds. If `own` lists values of this
-  /// parameter, that applies to them only.
+  /// parameter, the rule applies only to those values.
   Parameter& only_with(Conditions any, Texts own = {}) {
     return relations.push_back({true, std::move(any), std::move(own)}), *this;
   }
   /// Declares that the parameter has no effect if one of the conditions holds. If `own` lists values of this parameter,
-  /// that applies to them only.
+  /// the rule applies only to those values.
   Parameter& not_beside(Conditions any, Texts own = {}) {
     return relations.push_back({false, std::move(any), std::move(own)}), *this;
   }
@@ -184,7 +184,7 @@ std::string fault_in(Kind kind, const std::string& text);
 /// A string as recipes spell it. Equal numbers are spelt alike, however the user wrote them.
 std::string spelt(Kind kind, const std::string& text);
 
-/// A value as text for recipes, which read_text can read.
+/// Converts a value to the text that recipes hold for it. The function read_text converts it back.
 std::string text_of(double value);
 std::string text_of(int value);
 std::string text_of(std::size_t value);
@@ -196,7 +196,7 @@ void read_text(const std::string& text, std::size_t& value);
 inline void read_text(const std::string& text, std::string& value) { value = text; }
 inline void read_text(const std::string& text, std::filesystem::path& value) { value = text; }
 
-/// The parameter's name in its spelling: "output" for "-o,--output", "ozone-du" for "ozone-du".
+/// The parameter's name, taken from its spelling: "output" from "-o,--output", "ozone-du" from "ozone-du".
 std::string name_in(std::string_view spelling);
 
 constexpr Kind kind_of(double) { return Kind::number; }
@@ -278,7 +278,7 @@ Parameter parsed(const std::string& spelling, Value& value, std::function<std::s
       [write = std::move(write)](const Texts& texts) { write(texts.back()); });
 }
 
-/// Words that a parameter accepts, each with its value.
+/// Words that a parameter accepts, each with the value for which it stands.
 template <class Value>
 using Words = std::vector<std::pair<std::string, Value>>;
 
@@ -333,7 +333,7 @@ Parameter presence(const std::string& spelling, bool& value, std::string meaning
 /// A list of parameters, in the order in which help shows them. Their fields must not move while the list is in use.
 class Parameters {
  public:
-  /// Sets the heading in help, the table in recipes and the stage affected, for all parameters that are added next.
+  /// Sets the heading in the help, the table in recipes and the affected step for all parameters that are added later.
   void begin(std::string heading, std::string table, Affects affects);
 
   Parameter& add(Parameter parameter);
@@ -350,7 +350,7 @@ class Parameters {
   auto end() const { return all_.end(); }
   std::size_t size() const { return all_.size(); }
 
-  // a deque, so that addresses stay valid when more are added
+  // a deque, so that the addresses of parameters stay valid when more are added
  private:
   std::deque<Parameter> all_;
   std::string heading_, table_;
@@ -361,12 +361,12 @@ class Parameters {
 /// "--sky, --glow: no effect without --camera".
 ///
 /// Given  spelt  returns a parameter's name as the user knows it
-///        asked  whether the user gave a parameter, rather than a recipe that lists all values
+///        asked  whether the user set a parameter on purpose; a recipe may list parameters that the user did not set
 std::vector<std::string> without_effect(const Parameters& parameters,
                                         const std::function<std::string(const Parameter&)>& spelt,
                                         const std::function<bool(const Parameter&)>& asked);
 
-/// Sets the parts that a string such as "from-latitude=-90,to-latitude=0" gives, and resets all other parts.
+/// Sets the parts that a string such as "from-latitude=-90,to-latitude=0" names, and resets all other parts.
 ///
 /// Throws  algebra::Error  if a part does not exist or a value is not allowed
 void take_parts(Parameters& parts, const std::string& text);

@@ -24,10 +24,10 @@ std::string quoted(const std::string& text) {
   return literal.str();
 }
 
-/// Whether TOML can hold a value without quotes. Its integers end at 2^63, and it has no fractions such as 24000/1001.
+/// Whether TOML can hold a value without quotes. Integers must be below 2^63; fractions such as 24000/1001 need quotes.
 bool is_bare(const Parameter& parameter, const std::string& text) {
   if (parameter.kind == Kind::presence) return true;
-  if (parameter.name == "field") return fault_in(Kind::number, text).empty();  // not for "moon"
+  if (parameter.name == "field") return fault_in(Kind::number, text).empty();  // "moon" is quoted
   return is_number(parameter.kind) && fault_in(parameter.kind, text).empty() &&
          !(parameter.kind == Kind::natural && std::stoull(text) >> 63);
 }
@@ -56,7 +56,7 @@ std::string value_of(const Setting& setting) {
   return values.size() == 1 ? values[0] : fmt::format("[{}]", fmt::join(values, ", "));
 }
 
-/// A setting's value as shown to users, such as "300" or, with parts, "from-latitude = -90; to-latitude = 0".
+/// A setting's value as shown to users, such as "300" or, if it has parts, "from-latitude = -90; to-latitude = 0".
 std::string in_words(const Setting& setting) {
   std::vector<std::string> words;
   for (const auto& value : setting.parts)
@@ -124,7 +124,7 @@ Recipe settings_in(const toml::table& entries, const std::string& file, const st
   return all;
 }
 
-/// Length of the quoted TOML string at the start of the given text [bytes], with its single or triple quotes.
+/// Length of the quoted TOML string at the start of the given text [bytes], including its single or triple quotes.
 std::size_t quoted_length(std::string_view text) {
   const char quote = text.front();
   const std::string three(3, quote);

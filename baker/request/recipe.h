@@ -17,12 +17,12 @@ using Recipe = std::vector<Setting>;
 /// What a recipe says about one parameter.
 struct Setting {
   std::string name{};
-  Texts texts{};                ///< as Parameter::take expects them; empty if there is no value
+  Texts texts{};                ///< values as Parameter::take expects them; empty if there are none
   std::vector<Recipe> parts{};  ///< values that have parts, such as regions of the air
-  bool bare = false;            ///< written without quotes in TOML: numbers, true and false
+  bool bare = false;            ///< whether TOML needs no quotes: for numbers, true and false
   std::string table{};  ///< TOML table in which the setting stands; empty if it stands in none
   Affects affects = Affects::ground;
-  std::string where{};  ///< file and line it was read from, such as "moon.toml:3: "
+  std::string where{};  ///< file and line from which it was read, such as "moon.toml:3: "
 
   bool has_value() const { return !texts.empty() || !parts.empty(); }
 };
@@ -31,7 +31,7 @@ struct Setting {
 /// the user's private folders (files::name_to_share).
 ///
 /// Given   chosen          which parameters to include; by default those that belong in recipes (in_recipes)
-/// Throws  algebra::Error  if a region cannot be understood
+/// Throws  algebra::Error  if the text for a region of the air cannot be parsed
 Recipe recipe_of(const Parameters& parameters,
                  const std::function<bool(const Parameter&)>& chosen = in_recipes);
 
@@ -42,8 +42,8 @@ std::string text_of(const Recipe& recipe);
 ///
 /// Given   file  name to show in errors: "<file>:<line>: …"
 ///         bare  names of settings whose values are not in quotes; each is on a line of its own
-/// Throws  algebra::Error  if the text is not TOML, exceeds 1 MiB, or has a zero byte, a name of 17 parts, or the same
-///                         name twice
+/// Throws  algebra::Error  if the text is not TOML, exceeds 1 MiB, or has a zero byte, a name of more than 16 parts, or
+///                         the same name twice
 Recipe recipe_in(std::string text, const std::string& file = {}, const Texts& bare = {});
 
 /// The setting with a given name; nullptr if there is none.
@@ -58,7 +58,7 @@ struct Difference {
   bool of_parts = false;
 };
 
-/// Differences between two recipes, in the order of the first recipe. Settings that only the second has come last.
+/// Differences between two recipes, in the order of the first recipe. Settings that are only in the second come last.
 ///
 /// Given  counts  whether to compare a setting; called with the second recipe's setting if there is one, otherwise with
 ///                the first recipe's

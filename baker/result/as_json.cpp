@@ -14,7 +14,7 @@ std::string text_of(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-/// Text of a CSV cell (RFC 4180): quoted, with inner quotes doubled, if it has a comma, a quote or a line break.
+/// Text of a CSV cell (RFC 4180). A cell with a comma, quote or line break is quoted, and quotes in it are doubled.
 std::string cell(const Json& value) {
   const auto text = text_of(value);
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;

@@ -106,10 +106,10 @@ Json as_json(const Result& result, const Style& style) {
   return json;
 }
 
-/// Rows as CSV with a header line. Each row is an object with the same keys and nothing nested; null is an empty cell.
+/// Converts rows to CSV with a header line. Rows are flat objects with the same keys; null becomes an empty cell.
 std::string as_csv(const Json& rows);
 
-/// Results as CSV, one row each.
+/// Converts results to CSV, with one row for each result.
 template <class Results>
 requires Described<std::ranges::range_value_t<Results>> std::string as_csv(const Results& results,
                                                                            Style style = {}) {

@@ -40,7 +40,7 @@ struct Gathers {
 
 }  // namespace detail
 
-/// Collects the numbers of results with the same keys in columns. Missing numbers become NaN; angles are in degrees.
+/// Collects the numbers in a list of results as columns. Missing numbers become NaN; angles are in degrees.
 template <class Results>
 std::vector<Column> columns_of(const Results& results) {
   std::vector<Column> columns;

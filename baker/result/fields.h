@@ -26,7 +26,7 @@ struct AnyVisitor {
   void operator()(const Value&... value);
 };
 
-/// Results for which there is a function `describe`.
+/// A type of result for which there is a function `describe`.
 template <class Result>
 concept Described = requires(AnyVisitor visitor, const Result& result) {
   describe(visitor, result);
@@ -42,7 +42,7 @@ inline constexpr bool is_by_name = false;
 template <class Value>
 inline constexpr bool is_by_name<algebra::ByName<Value>> = true;
 
-/// Kind of a value in documents and in Python.
+/// Kind of a value in JSON documents and in Python.
 enum class Kind { truth, whole, number, text, word, instant, numbers, list, by_name, object };
 
 /// Description of one value in a result.
@@ -52,18 +52,18 @@ struct Field {
   Kind of = Kind::number;  ///< kind of each value in a `list` or `by_name`
   std::string unit{}, meaning{};
   bool may_be_none = false;    ///< the value may be null or left out
-  bool may_be_absent = false;  ///< if missing, the value is left out, not null
+  bool may_be_absent = false;  ///< a missing value is left out, not written as null
   int axes = 0;                ///< number of axes of an array of `numbers`
   std::vector<std::string> words{};
   std::string type{};          ///< name of the result type, for an `object` or a list of them
   std::vector<Field> parts{};  ///< fields of that result type
 };
 
-/// Description of a result type: its name, what it is, and its fields.
+/// Description of a result type: its name, its meaning and its fields.
 struct Fields {
   std::string name, meaning;
   std::vector<Field> all;
-  bool many = false;  ///< whether there is a list of such results
+  bool many = false;  ///< whether the document is a list of such results
 };
 
 template <Described Result>
@@ -138,7 +138,7 @@ void set_kind(Field& field) {
 struct TakesDown {
   Fields fields;
 
-  /// Records only the first name, because a result may go on to describe a part of itself, which has another name.
+  /// Records only the first name, because a result may then describe a part of itself under another name.
   void a(std::string_view name, std::string_view meaning) {
     if (!fields.name.empty()) return;
     fields.name = name;

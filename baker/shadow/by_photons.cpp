@@ -23,19 +23,19 @@ namespace {
 using algebra::Grid;
 using atmosphere::Atmosphere;
 
-/// Number of photons in a batch, whose rows are held in memory at once.
+/// Number of photons that are processed together. Their rows of light are held in memory at once.
 constexpr std::size_t batch = 32;
 
-/// Buffers of one thread.
+/// Buffers that one thread needs to gather photons.
 struct Workplace {
-  Tally tally;                   ///< light from one block
-  Grid<float> light, landing_m;  ///< (photon of a batch, wavelength)
+  Tally tally;                   ///< light from one block of photons
+  Grid<float> light, landing_m;  ///< indexed by (photon in a batch, wavelength)
 
   Workplace(std::size_t cells, std::size_t waves)
       : tally(cells, waves), light(batch, padded(waves)), landing_m(light) {}
 };
 
-/// Sums over blocks of photons: (row of a tally, wavelength).
+/// Sums over blocks of photons, indexed by (row of the tally, wavelength).
 struct BlockSums {
   Grid<double> sum, sum_of_squares;
 
@@ -46,7 +46,6 @@ void add(Grid<double>& sums, const Grid<double>& more) {
   for (std::size_t i = 0; i < sums.values().size(); ++i) sums.values()[i] += more.values()[i];
 }
 
-/// Simulates photons, block by block.
 class Simulation {
  public:
   Simulation(const Atmosphere& atmosphere, const Arrangement& arrangement,
@@ -102,7 +101,7 @@ class Simulation {
         static_cast<std::size_t>(random.uniform() * static_cast<double>(optics_.size()));
     const auto ray = photons::aimed_at_the_ring(random, arrangement_.sun_distance_m, atmosphere_);
     const auto entering = photons::entered(ray, atmosphere_.top_radius_m());
-    if (!entering) return;  // due to rounding, a grazing ray misses the air
+    if (!entering) return;  // a grazing ray may miss the air because of rounding
     const double chance = !atmosphere_.belted() ? 0 : random.uniform();
     const auto out =
         photons::trace(*entering, atmosphere_, optics_[wave], settings_.stepping, chance);
@@ -145,7 +144,7 @@ class Simulation {
   std::optional<LimbLandings> landings_;  ///< absent for literal photons
 };
 
-/// Progress, counted in finished blocks.
+/// Progress of a simulation, counted in finished blocks of photons.
 struct BlockProgress {
   const algebra::Progress& told;
   std::uint64_t all;
@@ -156,8 +155,8 @@ struct BlockProgress {
   }
 };
 
-/// Adds blocks to the sums, part by part in a fixed order, so that the sums do not depend on the number of threads.
-/// Only the number of parts in memory does.
+/// Traces blocks of photons and adds them to the sums in a fixed order, so that the sums do not depend on the number of
+/// threads. Only the memory in use depends on it.
 void add_blocks(const Simulation& simulation, BlockRange blocks, BlockSums& sums,
                 BlockProgress& progress) {
   constexpr std::uint64_t parts = 64, most = 4096;
@@ -171,7 +170,7 @@ void add_blocks(const Simulation& simulation, BlockRange blocks, BlockSums& sums
     next = std::min(blocks.to, from + size);
     return {from, next};
   };
-  // called after every block, although only whole parts count, because the callback may cancel
+  // calls back after every block, although progress counts only whole parts, because the callback may cancel the run
   const auto tell = [&] { progress.tell(); };
   const auto trace = [&](BlockRange range) -> Part {
     return {range, std::make_shared<BlockSums>(simulation.simulated(range, tell))};
@@ -226,7 +225,7 @@ PhotonSums no_photons(const Atmosphere& atmosphere, const Arrangement& arrangeme
           nothing};
 }
 
-/// Adds a tally's rows to the grids of all planes and sectors, except the ring that holds all light farther out.
+/// Adds a tally's rows to the grids of planes and sectors. The outermost ring, for all light farther out, is left out.
 void add(const Grid<double>& rows, std::vector<Grid<double>>& grids) {
   for (std::size_t g = 0; g < grids.size(); ++g)
     for (std::size_t r = 0; r < grids[g].rows(); ++r)
@@ -234,7 +233,7 @@ void add(const Grid<double>& rows, std::vector<Grid<double>>& grids) {
         grids[g](r, w) += rows(g * (grids[g].rows() + 1) + r, w);
 }
 
-/// The first `count` blocks of the given ranges.
+/// The first `count` blocks of photons in the given ranges.
 std::vector<BlockRange> first_of(const std::vector<BlockRange>& ranges, std::uint64_t count) {
   std::vector<BlockRange> first;
   for (const auto& range : ranges) {
@@ -251,7 +250,7 @@ bool enough(const PhotonSums& sums, const PhotonSettings& settings) {
   return worst_error(estimated(sums), *settings.enough) <= settings.enough->tolerance;
 }
 
-/// Traces the blocks of some ranges and adds them to the sums.
+/// Traces the blocks of photons in the given ranges and adds their light to the sums.
 void add_ranges(const Simulation& simulation, const std::vector<BlockRange>& ranges,
                 PhotonSums& sums, BlockProgress& progress) {
   BlockSums rows(simulation.rows(), simulation.waves());

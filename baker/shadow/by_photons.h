@@ -21,23 +21,23 @@ struct PhotonSettings {
   /// wavelength. If false, each photon carries all wavelengths through a table of the limb's rays (photons::WholeLimb)
   bool literal = false;
   photons::Stepping stepping;  ///< step lengths for literal photons
-  int rays = 500;              ///< number of rays in the table
+  int rays = 500;              ///< number of rays in the limb's table
   double ring_width_m = 50e3;  ///< width of the rings that gather photons, 1e3 to 2e6 m
   /// number of sectors of position angle, 1 to 1000; with 1, photons are gathered regardless of position angle
   std::size_t sectors = 1;
-  std::optional<StoppingRule> enough;  ///< ends the run early, once it is met
-  std::optional<BlockRange> blocks;    ///< blocks to trace; if absent, all
-  std::string key;                     ///< see PhotonSums::key
+  std::optional<StoppingRule> enough;  ///< rule that ends the run early, once it is met
+  std::optional<BlockRange> blocks;    ///< blocks of photons to trace; if absent, all
+  std::string key;                     ///< identifies the simulation, see PhotonSums::key
 };
 
 /// Traces photons to find the refracted light in any atmosphere. More photons can be added to the resulting sums.
 ///
 /// A literal photon has one wavelength, drawn at random. It leaves a random point of the solar disc towards a random
-/// point of the ring of air. On every plane, it is gathered in the ring of axis distances (and the sector) where it
-/// lands. With the table, a photon carries all wavelengths, and a block of photons is stratified in tangent height and
-/// in direction and distance of landing (LimbLandings). With one sector, each photon stands for all position angles,
-/// which requires symmetric air. Blocks are traced until none is left or, if there is a stopping rule, in batches that
-/// double in size until the rule is met.
+/// point of the ring of air around the Earth. On every plane, it is gathered in the ring of axis distances (and the
+/// sector) where it lands. A photon traced with the table carries all wavelengths, and a block of these photons is
+/// stratified in tangent height and in the direction and distance of landing (LimbLandings). With one sector, each
+/// photon stands for all position angles, which requires symmetric air. Blocks are traced until none is left or, if
+/// there is a stopping rule, in batches that double in size until the rule is met.
 ///
 /// Given     before   earlier sums, whose blocks are not traced again
 /// Returned  the sums of `before` and of the new blocks. With the table, they are bit-identical for any number of

@@ -24,23 +24,23 @@ using algebra::Grid;
 using atmosphere::Atmosphere;
 using std::numbers::pi;
 
-/// Highest harmonic of the position angle in the expansion of the shares of the limb's parts; it grows with the number
-/// of rays. Errors, worst and mean, were measured at 400 to 700 nm up to 6000 km from the axis. For 13 belts, 48
-/// harmonics err by 1e-4 and 3e-6 compared with 192, or by 4e-4 and 2e-5 with dust in every other belt. For regions,
-/// 160 harmonics err, compared with arcs cut at the borders, by 6e-3 and 5e-5 if one region has the aerosol of a great
-/// eruption, and by 2e-2 and 1e-4 if one has dust that transmits a hundredth. Luminance at 300 rays, compared with 160
-/// harmonics, errs by 5e-4 and 3e-5 with 24 harmonics for belts, and by 7e-4 and 7e-6 with 75 for regions.
+/// Highest harmonic in the Fourier series of the limb's parts around the position angle; it grows with the number of
+/// rays. Each pair of errors is the worst and the mean at 400 to 700 nm, up to 6000 km from the axis. For 13 belts of
+/// air, 48 harmonics err by 1e-4 and 3e-6 compared with 192, or by 4e-4 and 2e-5 with dust in every other belt. For
+/// regions, 160 harmonics err, compared with arcs cut at the borders, by 6e-3 and 5e-5 if one region has the aerosol of
+/// a great eruption, and by 2e-2 and 1e-4 if one has dust that transmits a hundredth. Luminance with 300 rays, compared
+/// with 160 harmonics, errs by 5e-4 and 3e-5 with 24 harmonics for belts, and by 7e-4 and 7e-6 with 75 for regions.
 int highest_harmonic(const Atmosphere& atmosphere, int rays) {
-  if (atmosphere.one_column()) return 2;  // the harmonic of an ellipsoid
+  if (atmosphere.one_column()) return 2;  // an ellipsoid needs no higher harmonic
   return atmosphere.regions.empty() ? std::clamp(rays / 16, 24, 48) : std::clamp(rays / 4, 75, 160);
 }
 
-/// Width of the bins in which landing distances are sorted; it is inversely proportional to the number of rays.
+/// Width of the bins of landing distance in which light is gathered, inversely proportional to the number of rays.
 double bin_width_m(int rays) { return std::clamp(1.2e6 / rays, 100., 50e3); }
 
-/// Position angles at which light is computed, and for each sector the index of the angle whose light it uses: that of
-/// the sector itself or, with belts, of its mirror image. Sectors that were not requested have no index. For an
-/// ellipsoid with one column, light is computed only towards the pole and the equator.
+/// Position angles at which light is computed, and for each sector the index of the angle whose light it uses. With
+/// belts, a sector and its mirror image use the same angle. Sectors that were not requested have no index. For an
+/// ellipsoid with one column of air, light is computed only towards the pole and the equator.
 struct Directions {
   std::vector<double> angles_rad;
   std::vector<std::optional<std::size_t>> of_sector = {};
@@ -111,11 +111,11 @@ double direct_light(const Atmosphere& atmosphere, const Arrangement& arrangement
                           atmosphere.top_radius_m());
 }
 
-/// Error of a cubic through four rings at the ring between them, relative to refracted plus direct light there. Light
-/// is summed over wavelengths. The result is the largest error in any atmosphere and at any angle.
+/// Error of cubic interpolation from four rings to the ring between them, relative to refracted plus direct light
+/// there, with light summed over wavelengths. The result is the largest error in any atmosphere and at any angle.
 ///
 /// Given  direct  direct light, or dark_ratio if that is larger
-///        airs    number of atmospheres; a ring's columns hold the wavelengths of one atmosphere after the other
+///        airs    number of atmospheres, whose wavelengths follow one another in a ring's columns
 double surprise(std::span<const Ring> about, const Ring& middle, double direct, std::size_t airs) {
   std::vector<double> gammas_m;
   for (const auto& ring : about) gammas_m.push_back(ring.gamma_m);
@@ -136,8 +136,8 @@ double surprise(std::span<const Ring> about, const Ring& middle, double direct, 
   return worst;
 }
 
-/// Inserts a ring in the middle of each open interval between rings. Both halves stay open if a cubic through the other
-/// rings errs by more than the tolerance there.
+/// Inserts a ring in the middle of each open interval between two rings. If cubic interpolation from the other rings
+/// errs by more than the tolerance there, both halves of the interval stay open.
 ///
 /// Given  open  for each ring, whether the interval above it is open
 void halve(Solver& solver, std::span<const Atmosphere> airs, const Arrangement& arrangement,
@@ -183,8 +183,8 @@ std::vector<Ring> refined(Solver& solver, std::span<const Atmosphere> airs,
   return all;
 }
 
-/// Writes the rings' light, computed at some angles, into the sectors. For an ellipsoid with one column, light is
-/// interpolated between pole and equator, linearly in cos 2θ, which is exact as the limb's parts are mixed by cos² θ.
+/// Copies the rings' light to the sectors. For an ellipsoid with one column of air, light is interpolated between pole
+/// and equator, linearly in cos 2θ. This is exact, because the weights of the limb's parts are cos² θ and sin² θ.
 ///
 /// Given  first_wave  column of the rings that holds the light's first wavelength
 void fill(std::span<const Ring> rings, std::size_t first_wave, const Atmosphere& atmosphere,
@@ -219,7 +219,7 @@ struct Wavelengths {
 
 /// Chooses evenly spaced wavelengths, the same ones in each atmosphere.
 ///
-/// Given  count  number of wavelengths to choose, not more than there are
+/// Given  count  number of wavelengths to choose, at most as many as there are
 Wavelengths chosen(std::span<const Atmosphere> airs, std::span<const atmosphere::Optics> optics,
                    const photons::DiscTerms& sun, std::size_t count) {
   Wavelengths some{{}, {sun.functions, {sun.functions.size(), airs.size() * count}}};
@@ -234,7 +234,7 @@ Wavelengths chosen(std::span<const Atmosphere> airs, std::span<const atmosphere:
 }
 
 /// Rings at the requested axis distances, and further rings inserted between them. If light at all wavelengths does not
-/// fit into memory, only a few wavelengths decide where rings are inserted.
+/// fit into memory, only a few wavelengths are used to decide where to insert rings.
 std::vector<Ring> rings_of(std::span<const Atmosphere> airs, const Arrangement& arrangement,
                            std::span<const double> wavelengths_nm,
                            std::span<const double> axis_distances_m, const Directions& directions,

@@ -19,12 +19,12 @@ using std::numbers::pi;
 constexpr int nodes_an_edge = 4;
 const double gauss_node = std::sqrt(0.6);  // the three nodes are −gauss_node, 0 and gauss_node
 
-/// Node t, between 0 and π/2, of an integral over half an arc: sin t, and the node's weight times cos t.
+/// Quadrature node t, between 0 and π/2, for half an arc: sin t, and the node's weight times cos t.
 struct ArcNode {
   double sine, weight;
 };
 
-/// Gauss nodes over half an arc, with `count` nodes in each of `parts` equal parts.
+/// Gauss nodes over half an arc that is divided into equal parts, with `count` nodes in each of them.
 std::vector<ArcNode> nodes_in_parts(int count, int parts) {
   std::vector<ArcNode> all;
   const double reach = pi / 4 / parts;
@@ -36,7 +36,7 @@ std::vector<ArcNode> nodes_in_parts(int count, int parts) {
   return all;
 }
 
-/// The positive half of the Gauss nodes for a whole arc.
+/// The Gauss nodes for a whole arc that lie in its positive half.
 std::vector<ArcNode> nodes_of_a_whole(int count) {
   std::vector<ArcNode> all;
   for (const auto& node : algebra::gauss_legendre(count))
@@ -54,7 +54,7 @@ const std::vector<ArcNode>& arc_nodes(int highest, double half_arc_rad) {
   if (highest <= 2) return twice_around;
   constexpr int a_part = 12, parts = 48;
   // FAULT arcs of high harmonics over too few nodes: phase = 9 => phase = 90
-  constexpr double phase = 9;  // phase [rad] of the highest harmonic that one part's nodes resolve
+  constexpr double phase = 9;  // largest phase [rad] of a harmonic in one part of an arc
   static const auto finer = [] {
     std::vector<std::vector<ArcNode>> all;
     for (int i = 1; i <= parts; ++i) all.push_back(nodes_in_parts(a_part, i));
@@ -64,13 +64,13 @@ const std::vector<ArcNode>& arc_nodes(int highest, double half_arc_rad) {
   return finer[std::min(i, finer.size() - 1)];
 }
 
-/// Width of the widest stretches [bins], over which the highest harmonic turns by only a fraction of a circle.
+/// Width of the widest stretches [bins], over which the highest harmonic changes by only a fraction of a period.
 int widest(double a, int highest) {
   if (highest <= 2) return 48;
   return static_cast<int>(std::clamp(3 * a / highest, 1., 24.));
 }
 
-/// Cuts the interval between two bins into stretches, narrower towards both bins, and adds the ends of these stretches.
+/// Divides an interval of bins into stretches that become narrower towards both ends, and adds their limits to `ends`.
 void add_graded(int from, int to, int widest, std::vector<int>& ends) {
   std::vector<int> upper;
   for (int width = 1; from < to; width = std::min(2 * width, widest)) {
@@ -87,7 +87,7 @@ void sort_out(std::vector<int>& values) {
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-/// The Sun's disc, projected about a place; all lengths are in bins.
+/// The Sun's disc, projected around a place in the shadow. All lengths are in bins.
 struct Disc {
   const photons::DiscTerms& sun;
   double gamma, a;
@@ -104,8 +104,8 @@ struct Disc {
     return {sun.functions.size(), static_cast<std::size_t>(highest) + 1};
   }
 
-  /// Adds ∫ f(μ) cos mψ dψ along the arc of radius r, where μ² = 1 − (r² + γ² − 2 r γ cos ψ)/a². The integral is taken
-  /// over asin(ψ/half arc), because μ is smooth in it up to the arc's ends. cos mψ is found by recurrence.
+  /// Adds ∫ f(μ) cos mψ dψ along the arc of radius r, where μ² = 1 − (r² + γ² − 2 r γ cos ψ)/a². The variable of
+  /// integration is asin(ψ/half arc), because μ is smooth in it up to the arc's ends. cos mψ is found by recurrence.
   void add_arc(double r, double weight, Grid<double>& light) const {
     const double half = half_arc(r);
     if (half == 0) return;
@@ -128,7 +128,7 @@ struct Disc {
     add_harmonics(cosines, shed, light);
   }
 
-  /// Mean over bins at the disc's edge, integrated over the square root of the distance from the nearer edge.
+  /// Mean of the arc integrals over bins at the disc's edge, integrated over √(distance from the nearer edge).
   Grid<double> mean_over(int from, int to) const {
     auto mean = darkness();
     std::vector<double> ends{static_cast<double>(from), static_cast<double>(to)};
@@ -152,7 +152,7 @@ struct Disc {
     for (const double edge : edges)
       for (const double whole : {std::floor(edge), std::ceil(edge)})
         cuts.push_back(static_cast<int>(whole));
-    if (gamma < a) cuts.push_back(0);  // the disc contains whole circles about the axis
+    if (gamma < a) cuts.push_back(0);  // near the axis, the disc contains whole circles about it
     sort_out(cuts);
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
       add_graded(cuts[i], cuts[i + 1], widest(a, highest), all);

@@ -10,21 +10,21 @@
 
 namespace coppermoon::shadow {
 
-/// Interval of distances from the axis, in whole bins. The integral along an arc, within the projected Sun's disc, is
-/// approximated with a quadratic in the arc's distance, which is given by its values at three Gauss nodes.
+/// Interval of distances from the axis, in whole bins. In it, the integral along an arc within the projected Sun's disc
+/// is approximated by a quadratic in the arc's radius, which is given by its values at three Gauss nodes.
 struct Stretch {
   int from, to;
-  /// [node, nearest to the axis first](term of the disc, harmonic m): ∫ f(μ) cos mψ dψ along the arc [rad], with ψ
-  /// counted from the position angle of the place
+  /// [Gauss node, nearest to the axis first](term of the disc, harmonic m): ∫ f(μ) cos mψ dψ along the arc [rad], with
+  /// the term f, and with ψ counted from the position angle of the place
   std::array<algebra::Grid<double>, 3> light;
 };
 
-/// Coefficients of r⁰, r¹ and r² in the quadratic through values at the three Gauss nodes of an interval.
+/// Coefficients of r⁰, r¹ and r² in the quadratic through the given values at three Gauss nodes of an interval of r.
 std::array<double, 3> square_through(double from, double to, const std::array<double, 3>& values);
 
-/// Divides the arcs about the axis, within the Sun's disc projected about a place, into stretches of axis distance.
-/// Stretches become narrower towards the disc's edges, because an arc's length varies there as the square root of the
-/// distance from the edge. At the edges they are one bin wide and hold the mean over the bin.
+/// Divides the axis distances of the arcs within the Sun's disc, projected around a place, into stretches. Stretches
+/// become narrower towards the disc's edges, because an arc's length varies there as the square root of the distance
+/// from the edge. At the edges they are one bin wide and hold the mean over the bin.
 ///
 /// Given     gamma    axis distance of the place, in bins
 ///           a        radius of the disc, in bins

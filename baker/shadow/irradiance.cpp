@@ -62,7 +62,7 @@ double lens_area(double apart, double r, double s) {
   const double smaller = std::min(r, s), larger = std::max(r, s);
   if (apart >= r + s) return 0;
   if (apart <= larger - smaller) return std::numbers::pi * smaller * smaller;
-  const auto cosine = [](double x) { return std::clamp(x, -1., 1.); };  // for rounding errors
+  const auto cosine = [](double x) { return std::clamp(x, -1., 1.); };  // allows for rounding
   // cosine of half the angle that the common chord subtends at each centre
   const double cos_r = cosine((apart * apart + r * r - s * s) / (2 * apart * r));
   const double cos_s = cosine((apart * apart + s * s - r * r) / (2 * apart * s));
@@ -134,7 +134,7 @@ void DirectLight::ratios(double axis_distance_m, double position_angle_rad, doub
   for (std::size_t w = 0; w < values.size(); ++w) {
     double sum = 0;
     for (std::size_t k = 0; k < parts.size(); ++k) sum += sun_.brightness(k, w) * parts[k];
-    values[w] = std::min(sum, 1.);  // rounding may exceed 1
+    values[w] = std::min(sum, 1.);  // rounding may make the sum exceed 1
   }
 }
 

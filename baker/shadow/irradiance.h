@@ -15,11 +15,11 @@ namespace coppermoon::shadow {
 /// Distances of the Sun and of the shadow planes from the Earth's centre, along the shadow axis.
 struct Arrangement {
   double sun_distance_m;         ///< 0.3 to 3 au
-  std::vector<double> depths_m;  ///< of the planes behind the Earth, increasing, 1e8 to 1e9 m
-  bool limb_darkening = false;   ///< the Sun darkens towards its limb; if not, its disc is uniform
+  std::vector<double> depths_m;  ///< planes' distances behind the Earth, increasing, 1e8 to 1e9 m
+  bool limb_darkening = false;   ///< whether the Sun darkens towards its limb, or is uniform
 };
 
-/// Throws Error when a distance is outside its range
+/// Throws Error if a distance is outside its range.
 void require_valid(const Arrangement& arrangement);
 
 /// Light refracted by the Earth's air, as a ratio to unshaded sunlight at the same distance from the Sun, for each
@@ -27,14 +27,14 @@ void require_valid(const Arrangement& arrangement);
 struct RefractedLight {
   Arrangement arrangement;
   std::vector<double> wavelengths_nm;
-  std::vector<double> axis_distances_m;  ///< increasing
+  std::vector<double> axis_distances_m;  ///< in increasing order
   /// number of equal sectors of position angle about the axis; 1 if light is symmetric about the axis
   std::size_t sectors = 1;
-  /// [plane × sectors + sector](axis distance, wavelength); sector s is centred at the position angle
-  /// 2π s / sectors. For a mean over sectors see mean_ratio
+  /// [plane × sectors + sector](axis distance, wavelength); sector s is centred at the position angle 2π s / sectors.
+  /// For the mean over sectors, use mean_ratio
   std::vector<algebra::Grid<double>> ratio;
   std::vector<algebra::Grid<double>>
-      standard_error;         ///< indexed like ratio; empty if light has no noise
+      standard_error;         ///< indexed like ratio; empty if the light has no noise
   std::uint64_t photons = 0;  ///< number of photons traced
   /// whether the errors at a place are correlated between wavelengths, because these share the same photons
   bool errors_correlated = false;
@@ -46,7 +46,7 @@ RefractedLight darkness(const Arrangement& arrangement, std::span<const double> 
 
 /// Mean of the ratio over all position angles on one plane.
 ///
-/// Given     light  must be computed in all sectors (QuadratureSettings::sectors may leave some dark)
+/// Given     light  must be known in all sectors (QuadratureSettings::sectors may leave some dark)
 /// Returned  (axis distance, wavelength)
 algebra::Grid<double> mean_ratio(const RefractedLight& light, std::size_t plane = 0);
 
@@ -77,7 +77,7 @@ double landing_m(double impact_parameter_m, double bending_rad, double sun_dista
 double refracted_reach_m(const Arrangement& arrangement, const atmosphere::Atmosphere& atmosphere,
                          double depth_m);
 
-/// Area common to two circles of radii r and s whose centres are the distance `apart` from each other.
+/// Area of the overlap of two circles with radii r and s, whose centres are the distance `apart` from each other.
 double lens_area(double apart, double r, double s);
 
 /// Fraction of a uniform solar disc that the Earth and its air cover, as seen from the shadow. It is the area common to
@@ -85,31 +85,31 @@ double lens_area(double apart, double r, double s);
 ///
 /// Given     opaque_radius_m  radius of the Earth with its air
 /// Returned  0 in full sunlight, 1 in the umbra
-/// Accuracy  1e-5, because the planes of Sun, limb and shadow are taken as parallel
+/// Accuracy  1e-5, because the planes of Sun, limb and shadow are assumed to be parallel
 double covered_part(double axis_distance_m, double depth_m, double sun_distance_m,
                     double opaque_radius_m);
 
 /// Direct light is sunlight that passes clear of the Earth and its air, as a ratio to unshaded sunlight at each
-/// wavelength. For a uniform solar disc there is a closed form. A limb-darkened disc is a sum of uniform ones.
+/// wavelength. For a uniform solar disc there is a closed form. A limb-darkened disc counts as many uniform discs.
 ///
-/// Accuracy  1e-3 of unshaded sunlight, because an ellipsoid's limb is taken as a circle with the limb's radius at the
-///           position angle of the place
+/// Accuracy  1e-3 of unshaded sunlight, because an ellipsoid's limb is treated as a circle with the limb's radius at
+///           the position angle of the place
 class DirectLight {
  public:
   DirectLight(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
               std::span<const double> wavelengths_nm);
 
-  /// Writes the ratio at each wavelength, from 0 in the umbra to 1 in full sunlight.
+  /// Writes direct light as a ratio to unshaded sunlight at each wavelength: 0 in the umbra, 1 in full sunlight.
   void ratios(double axis_distance_m, double position_angle_rad, double depth_m,
               std::span<double> values) const;
 
   /// Writes the uncovered area of each layer (concentric uniform disc) of the Sun, the whole disc first, relative to
-  /// the area of the whole disc. There are as many values as in_layers has columns.
+  /// the area of the whole disc. The number of layers is the number of columns that in_layers returns.
   void clear_parts(double axis_distance_m, double position_angle_rad, double depth_m,
                    std::span<double> parts) const;
 
-  /// Converts weights of wavelengths into equivalent weights of layers: the sum of weight times clear part over layers
-  /// equals the sum of weight times ratio over wavelengths.
+  /// Converts weights of wavelengths into equivalent weights of layers: the sum of weight times uncovered area over
+  /// layers equals the sum of weight times ratio over wavelengths.
   ///
   /// Given     weights  (channel, wavelength)
   /// Returned  (channel, layer)

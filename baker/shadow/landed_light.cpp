@@ -53,7 +53,7 @@ class ExponentialShare {
 };
 
 /// Rays at one wavelength: where they land, in bins, and the light they carry. They range from the ground up to two
-/// rays beyond the last one that lands within reach. These two are needed for light that lands between rays.
+/// rays beyond the last one that lands within reach. Those two rays are needed to interpolate between rays.
 struct Rays {
   std::vector<double> place, impact_m, depth, transmittance;
 
@@ -75,7 +75,7 @@ struct Rays {
   }
 };
 
-/// Adds light at one wavelength to that wavelength's lane in a block's sums.
+/// Adds light at one wavelength to the sums for a block of wavelengths, in which each wavelength has its own lane.
 class Gatherer {
  public:
   /// Given  first, last  bins to gather; no light lands before the first, and light after the last is left out
@@ -85,7 +85,7 @@ class Gatherer {
   void add(const Rays& rays, std::span<const double> filter) const {
     // FAULT Richardson's step left out: 4. / 3, far = -1. / 3 => 1, far = 0
     constexpr double near = 4. / 3, far = -1. / 3;
-    // Cells without light are skipped, because they may lie outside the bins.
+    // Intervals between rays are skipped if they carry no light, because they may lie outside the bins.
     const std::size_t last = rays.place.size() - 1;
     for (std::size_t i = 0; i < last; ++i)
       if (filter[i] != 0) add_cell(rays, i, i + 1, near * filter[i]);
@@ -106,7 +106,7 @@ class Gatherer {
   }
 
   /// Adds light that lands between two places, with a density that varies exponentially from one to the other. Light
-  /// changes by the same factor from bin to bin, starting at the brighter end, because the darker end may be 0.
+  /// grows or falls by a constant factor per bin, counted from the brighter end, because the darker end may be 0.
   void spread(double from, double to, double light, double steepness) const {
     const auto bin = static_cast<int>(std::floor(from));
     if (to <= bin + 1) return put(bin, (from + to) / 2, to - from, light);
@@ -127,7 +127,7 @@ class Gatherer {
     if (last < last_) put(last, (last + to) / 2, to - last, light - up_to(last));
   }
 
-  /// Adds light that is spread evenly over a bin, or part of a bin, to the node at the bin's end.
+  /// Adds light that is spread evenly over a bin, or part of a bin, to the node at the bin's upper end.
   void put(int bin, double middle, double width, double light) const {
     double* row = sums_ + static_cast<std::size_t>(bin + 1 - first_) * row_size;
     row[0] += light;
@@ -140,8 +140,8 @@ class Gatherer {
   int first_, last_;
 };
 
-/// Landing places of the rays from the lowest one that carries light upwards; cloud may stop all rays below its top. If
-/// no ray carries light, only the place of the highest ray.
+/// Landing places of the rays, beginning with the lowest ray that carries light, because cloud may stop all rays below
+/// its top. If no ray carries light, the result is the landing place of the highest ray alone.
 std::span<const double> lit(std::span<const double> places, std::span<const double> filter) {
   const auto lowest = std::ranges::find_if(filter, [](double share) { return share != 0; });
   return places.subspan(

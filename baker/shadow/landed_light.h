@@ -14,22 +14,22 @@ namespace coppermoon::shadow {
 /// Number of moments of the landing distance that are summed: powers 0, 1 and 2.
 inline constexpr std::size_t moments = 3;
 
-/// Number of wavelengths in a block. Their sums are stored side by side.
+/// Number of wavelengths in a block. The sums for these wavelengths are stored side by side.
 inline constexpr std::size_t lanes = 8;
 
-/// Plane on which light lands.
+/// Shadow plane on which light lands, and the bins of axis distance in which it is gathered.
 struct LandingPlane {
   double sun_distance_m, depth_m;
-  double bin_m;    ///< width of the bins of axis distance in which light is gathered
-  double reach_m;  ///< axis distance beyond which light on the limb's own side is left out
+  double bin_m;    ///< width of the bins of axis distance
+  double reach_m;  ///< axis distance beyond which light is left out, on the limb's own side
 
-  /// One past the last bin that is needed for light that lands up to `farthest` bins from the axis.
+  /// Index after the last bin that is needed for light that lands up to `farthest` bins from the axis.
   int end_of(double farthest) const;
 };
 
-/// Cumulative moments of landed light, ∫ r^m T b db, at evenly spaced nodes of r, the signed axis distance on one
-/// plane, in bins. The integral covers those rays of one part of the limb that land at a smaller r than the node. One
-/// object holds a block of wavelengths.
+/// Cumulative moments of landed light, ∫ r^m T b db, with the transmittance T and the impact parameter b, at evenly
+/// spaced nodes of r, the signed axis distance on one plane, in bins. The integral covers those rays of one part of the
+/// limb that land at a smaller r than the node. One object holds the moments for a block of wavelengths.
 ///
 /// Between rays, r is interpolated linearly and T exponentially, once between neighbours and once between every other
 /// ray. By Richardson extrapolation, 4/3 of the first result less 1/3 of the second leaves errors of fourth order in
@@ -40,16 +40,16 @@ class LandedLight {
   ///        radius_m  radius of the ground at the limb
   LandedLight(std::span<const photons::Fan> fans, const LandingPlane& plane, double radius_m);
 
-  /// The first and the last node. No light lands before the first, and light after the last is left out.
+  /// Index of the first node, and of the last. No light lands before the first, and light after the last is left out.
   int first() const { return first_; }
   int last() const { return last_; }
 
-  /// The sums, indexed by [node − first()][moment][lane].
+  /// The cumulative moments, indexed by [node − first()][moment][wavelength in the block].
   const double* sums() const { return sums_.data(); }
 
  private:
   int first_ = 0, last_ = 0;
-  // [node][moment][lane]; the allocator keeps freed memory, because the next LandedLight needs as much
+  // [node][moment][lane]; the allocator keeps freed memory for the next LandedLight, which needs as much
   std::vector<double, tbb::scalable_allocator<double>> sums_;
 };
 

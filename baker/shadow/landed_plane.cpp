@@ -20,8 +20,8 @@ using std::numbers::pi;
 /// Number of position angles at which the shares of the limb's parts are tabulated.
 constexpr int looked_at = 1440;
 
-/// Number of harmonics needed for light at an axis distance, which is given in radii of the projected Sun. Fewer are
-/// needed near the axis, where a place receives light from more of the limb.
+/// Number of harmonics needed for light at an axis distance, given in radii of the projected Sun. Fewer are needed near
+/// the axis, where a place receives light from more of the limb.
 std::size_t harmonics_at(double solar_radii) {
   return static_cast<std::size_t>(9 + 48 * solar_radii);
 }
@@ -108,9 +108,9 @@ LandedPlane::LandedPlane(const Sunlit& sunlit, double depth_m) : sunlit_(sunlit)
   last_ = std::max(first_, last_);
 }
 
-/// Number of blocks held in memory at once: all of them, if the blocks of all planes take 1.25 gigabytes or less (half
-/// a gigabyte if there are many wavelengths, because then a few decide where places are inserted). Otherwise, it is as
-/// many blocks of one plane as fill half a gigabyte, because every group of blocks requires cutting the disc again.
+/// Number of blocks of wavelengths held in memory at once: all, if the blocks of all planes take 1.25 gigabytes or less
+/// (half a gigabyte for many wavelengths, because then only a few decide where to insert places). Otherwise, blocks of
+/// one plane fill half a gigabyte, because the disc must be divided again for every group of blocks.
 std::size_t LandedPlane::blocks_at_once() const {
   constexpr std::size_t many = 128, most_bytes = 500'000'000;
   const std::size_t most_kept = sunlit_.waves.size() > many ? 500'000'000 : 1'250'000'000;
@@ -155,7 +155,7 @@ bool LandedPlane::by_series(double gamma_m) const {
 }
 
 void LandedPlane::light(std::span<const Place> places, const std::function<void(double)>& done) {
-  constexpr std::size_t at_once = 64;  // number of places whose Draws fit into memory together
+  constexpr std::size_t at_once = 64;  // number of places whose factors fit into memory together
   const auto pairs_done = [&](std::size_t blocks_by_places) {
     if (done)
       done(static_cast<double>(blocks_by_places) / static_cast<double>(blocks() * places.size()));
@@ -171,8 +171,8 @@ void LandedPlane::light(std::span<const Place> places, const std::function<void(
     for (double& value : place.ratio) value = std::max(value, 0.);  // may be negative by rounding
 }
 
-/// Adds the landed light to places. The loops are ordered to suit the cache: for series, all places of one block; for
-/// angles, all blocks of one place.
+/// Adds the landed light to places in the shadow. The order of the loops suits the cache: for series, all places for
+/// one block of wavelengths; for single angles, all blocks for one place.
 void LandedPlane::add_light(std::span<const Place> places,
                             const std::function<void(std::size_t)>& pairs_done) const {
   constexpr std::size_t places_a_task = 8;
@@ -184,7 +184,7 @@ void LandedPlane::add_light(std::span<const Place> places,
       drawn[p] = std::move(here);
       return;
     }
-    if (!here.nodes.empty())  // if empty, no light lands there
+    if (!here.nodes.empty())  // empty if no light lands there
       tbb::parallel_for(tbb::blocked_range<std::size_t>(0, groups), [&](const auto& some) {
         for (std::size_t g = some.begin(); g < some.end(); ++g)
           add_angles(here, landed_, g * angles_together, places[p].ratio);
@@ -235,14 +235,14 @@ void LandedPlane::add_series(const Draws& draws, const Blocks& blocks, std::size
   }
 }
 
-/// Adds light at a group of neighbouring angles.
+/// Adds light at a group of neighbouring position angles.
 void LandedPlane::add_angles(const Draws& draws, const Blocks& blocks, std::size_t first_angle,
                              std::span<double> ratio) const {
   const auto& around = sunlit_.around;
   const std::size_t all = around.parts.size(), harmonics = draws.factors.rows(),
                     count = std::min(angles_together, around.angles() - first_angle);
   const double half_arc = std::asin(std::min(1., a_ / draws.gamma_m));
-  std::vector<std::size_t> parts;  // parts that send light to any of the angles
+  std::vector<std::size_t> parts;  // parts of the limb that send light to any of the angles
   std::vector<std::vector<double>> turns;
   for (std::size_t p = 0; p < all; ++p) {
     std::vector<double> shares(harmonics * angles_together);
@@ -299,7 +299,8 @@ LandedPlane::Draws LandedPlane::draws(double gamma) const {
   return all;
 }
 
-/// Adds the factors for one stretch to `all`, for light that lands on the limb's own side of the axis or across it.
+/// Adds to `all` the factors of one stretch for light on the limb's own side of the axis or, with `across`, on the
+/// other.
 ///
 /// Given  node  index of the node at the stretch's inner end; the next node is at its outer end
 void LandedPlane::collect(const Stretch& stretch, bool across, std::size_t node, Draws& all) {

@@ -27,11 +27,11 @@ class Around {
 
   /// Cosine or sine term of one harmonic, with its weight in each part of the limb; at least one weight is not 0.
   struct Harmonic {
-    std::size_t harmonic, turn;   ///< `turn` is a column of `turns`
-    std::vector<double> weights;  ///< by part
+    std::size_t harmonic, turn;   ///< order of the harmonic, and its column in `turns`
+    std::vector<double> weights;  ///< one for each part of the limb
   };
 
-  /// Terms of the harmonics below `count`.
+  /// Terms of all harmonics of an order below `count`.
   std::span<const Harmonic> some(std::size_t count) const;
 
   std::size_t angles() const { return turns.rows(); }
@@ -45,15 +45,15 @@ class Around {
 
  private:
   std::vector<double> angles_rad_;
-  std::vector<Harmonic> harmonics_;  // in increasing order of the harmonic
-  // (part, direction): number of directions, up to this one, in which the part has a share of the limb
+  std::vector<Harmonic> harmonics_;  // sorted by the order of the harmonic
+  // (part, direction): number of directions, up to this one, at which this part of the limb has a share
   algebra::Grid<int> here_;
 };
 
-/// A wavelength in one of the atmospheres.
+/// A wavelength in one of several atmospheres.
 struct Wave {
   atmosphere::Optics optics;
-  const atmosphere::Atmosphere* air;  ///< see WholeLimb::fan
+  const atmosphere::Atmosphere* air;  ///< its atmosphere, as for WholeLimb::fan
 };
 
 /// Light from the whole limb on one plane.
@@ -66,12 +66,12 @@ class LandedPlane {
   /// Axis distance at which light is wanted, and where to write the light.
   struct Place {
     double gamma_m;           ///< axis distance
-    std::span<double> ratio;  ///< [angle][wavelength]
+    std::span<double> ratio;  ///< [angle][wavelength], to which light is added
   };
 
-  /// Inputs that all planes share; they must outlive the planes.
+  /// Inputs that all planes share. They must exist as long as the planes.
   struct Sunlit {
-    const photons::WholeLimb& limb;  ///< fans are made on demand
+    const photons::WholeLimb& limb;  ///< makes fans of rays on demand
     const Around& around;
     const photons::DiscTerms& sun;
     std::span<const Wave> waves;
@@ -91,19 +91,19 @@ class LandedPlane {
   void light(std::span<const Place> places, const std::function<void(double)>& done);
 
  private:
-  using Block = std::array<double, lanes>;  // by wavelength within the block
+  using Block = std::array<double, lanes>;  // one value for each wavelength in the block
 
-  /// Nodes of LandedLight that contribute to a place, and their factors.
+  /// Nodes of LandedLight from which a place receives light, and the factors of their moments.
   struct Draws {
     double gamma_m = 0;
     std::vector<int> nodes;
-    algebra::Grid<double> factors;  ///< (harmonic, ((node, term), moment))
+    algebra::Grid<double> factors;  ///< (harmonic, (node × terms + term) × moments + moment)
   };
 
   /// Light that landed on the plane, for consecutive blocks of wavelengths and for each part of the limb.
   struct Blocks {
     std::size_t first = 0, count = 0;
-    std::vector<LandedLight> landed = {};  ///< for each block, all parts of the limb
+    std::vector<LandedLight> landed = {};  ///< [block × parts of the limb + part]
   };
 
   std::size_t blocks() const { return (sunlit_.waves.size() + lanes - 1) / lanes; }

@@ -17,13 +17,13 @@ namespace coppermoon::shadow::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Row of sums at a node. A node outside the part's range counts as the nearest one in it.
+/// Cumulative moments of one part of the limb at a node. Outside the part's range of nodes, the nearest node is used.
 inline const double* row_at(const LandedLight& part, int node) {
   const int place = std::clamp(node, part.first(), part.last()) - part.first();
   return part.sums() + static_cast<std::size_t>(place) * moments * lanes;
 }
 
-/// Adds one node's rows to `together` harmonics at once.
+/// Adds the rows of all parts at one node to several harmonics at once.
 template <std::size_t together>
 void add_node(std::span<const double* const> rows, const HarmonicRows* harmonics,
               std::size_t factor, std::size_t terms) {
@@ -71,7 +71,7 @@ void add_weighted(std::span<const LandedLight> parts, std::span<const int> nodes
   }
 }
 
-/// Computes `columns` columns of the factors turned to all angles (turn_factors), beginning with number `column`.
+/// Does the work of turn_factors for some columns of the factors, beginning with number `column`.
 template <std::size_t columns>
 void turn_columns(const algebra::Grid<double>& factors, std::size_t column, const double* turns,
                   double* turned) {
@@ -139,14 +139,14 @@ void cosines_of(std::span<double> angles) {
     hn::StoreU(hn::Cos(d, hn::LoadU(d, &angles[j])), d, &angles[j]);
 }
 
-/// Adds harmonics to sums[k][m][lane]; each lane covers only some of the nodes.
+/// Adds Σ weights(k, j) cos mψ_j to sums[k][m][lane]. Each lane of a vector sums over only some of the nodes j.
 void add_lanes(std::span<const double> cosines, const algebra::Grid<double>& weights,
                std::size_t harmonics, double* sums) {
   const hn::CappedTag<double, nodes_together> d;
   const std::size_t width = hn::Lanes(d);
   for (std::size_t j = 0; j < cosines.size(); j += width) {
     const auto twice = hn::Mul(hn::Set(d, 2.), hn::LoadU(d, &cosines[j]));
-    auto before = hn::LoadU(d, &cosines[j]), now = hn::Set(d, 1.);  // cos(−ψ), cos 0
+    auto before = hn::LoadU(d, &cosines[j]), now = hn::Set(d, 1.);  // cos(−ψ) and cos 0, to start
     for (std::size_t m = 0; m < harmonics; ++m) {
       for (std::size_t k = 0; k < weights.rows(); ++k) {
         double* sum = sums + (k * harmonics + m) * nodes_together;

@@ -11,34 +11,34 @@ namespace coppermoon::shadow {
 
 /// One harmonic of the position angle, to which rows of landed light are added.
 struct HarmonicRows {
-  const double* weights;  ///< [part]
+  const double* weights;  ///< weight of each part of the limb
   const double* factors;  ///< [node][term][moment]
-  double* sums;           ///< [term][lane], increased by the light
+  double* sums;           ///< [term][lane], to which light is added
 };
 
 /// For each harmonic, adds Σ factors[i][term][moment] Σ weights[part] row[part][nodes[i]][moment][lane] to
-/// sums[term][lane], with the machine's widest vectors. A node before a part's first one counts as the first, and a
-/// node after its last one as the last.
+/// sums[term][lane], with the machine's widest vectors. The sums run over nodes i, moments and parts. If a node is
+/// outside a part's range, the nearest node in the range is used.
 ///
 /// Given  parts  light from each part of the limb
 void add_landed_rows(std::span<const LandedLight> parts, std::span<const int> nodes,
                      std::size_t terms, std::span<const HarmonicRows> harmonics);
 
-/// Number of position angles that are stored side by side.
+/// Number of position angles that are stored side by side, to be processed by vector instructions.
 inline constexpr std::size_t angles_together = 8;
 
-/// Writes turned[i][column][angle] = Σ factors(harmonic, column) turns[i][harmonic][angle], with vector instructions.
+/// Writes turned[i][column][angle] = Σ factors(harmonic, column) turns[i][harmonic][angle], summed over harmonics.
 void turn_factors(const algebra::Grid<double>& factors,
                   const std::vector<std::vector<double>>& turns, std::vector<double>& turned);
 
-/// Adds Σ factors[i][term][moment][angle] row[nodes[i]][moment][lane] to sums[term][angle][lane], vectorised.
+/// Adds Σ factors[i][term][moment][angle] row[nodes[i]][moment][lane], over i and moments, to sums[term][angle][lane].
 void add_turned_rows(const LandedLight& part, std::span<const int> nodes, const double* factors,
                      std::size_t terms, double* sums);
 
-/// Number of nodes in a group; the last group is padded with nodes of weight 0.
+/// Number of quadrature nodes that are processed together. The last group is padded with nodes of weight 0.
 inline constexpr std::size_t nodes_together = 4;
 
-/// Replaces angles [rad] by their cosines, with vector instructions. Their number must be a multiple of nodes_together.
+/// Replaces angles [rad] by their cosines, with vector instructions. `angles.size()` is a multiple of nodes_together.
 void turn_into_cosines(std::span<double> angles);
 
 /// Adds Σ weights(k, j) cos mψ_j over nodes j to harmonics(k, m), by recurrence and with vector instructions.

@@ -20,14 +20,14 @@ using std::numbers::pi;
 
 constexpr std::size_t brightness_cells = 64;
 
-/// Number of bins in axis distance, each with its own distribution of tangent heights.
+/// Number of bins of axis distance, each with its own distribution of tangent heights.
 constexpr std::size_t distance_bins = 96;
 
-/// Largest number of wavelengths from which the distribution of tangent heights is computed.
+/// Largest number of wavelengths used to compute the distribution of tangent heights.
 constexpr std::size_t deciding_waves = 8;
 
-/// Fraction of photons whose height is drawn without regard to light, and the fraction of these photons that are spread
-/// evenly over heights instead of landing distances.
+/// Fraction of photons whose tangent height is drawn without regard to light, and the fraction of these photons that
+/// are spread evenly over heights instead of landing distances.
 constexpr double blind_share = 0.2, even_share = 0.25;
 
 /// Half the angle of the arc about the axis that lies within a disc of radius 1. `centre` and `distance` are the axis
@@ -39,7 +39,8 @@ double half_arc(double centre, double distance) {
   return std::acos(std::clamp((distance * distance + q * q - 1) / (2 * distance * q), -1., 1.));
 }
 
-/// Landing places of two neighbouring rays at the middle wavelength, and the axis distances between which a bin lies.
+/// Landing places of two neighbouring rays, at the middle wavelength, and the nearer and farther limit of a bin of axis
+/// distance, all in projected solar radii.
 struct Cell {
   double low, high, near, far;
 
@@ -66,8 +67,8 @@ void normalise(std::span<double> row) {
     for (double& value : row) value /= sum;
 }
 
-/// Fills `chances`, which must be 0 before, with the importance of each cell: the root mean square, over wavelengths,
-/// of the cell's share of all the light that lands, apart from a common factor.
+/// Fills `chances`, which must be 0 before, with the importance of each cell between two rays, up to a common factor:
+/// the root mean square, over wavelengths, of the cell's share of all the light that lands.
 ///
 /// Given  light  (wavelength, cell)
 void add_seeing(const Grid<double>& light, std::span<const double> arcs,
@@ -241,7 +242,7 @@ std::optional<Aim> LimbLandings::aim(std::span<const double> point, bool around)
 std::vector<Aim> LimbLandings::aims(std::uint64_t seed, std::uint64_t block, bool around) const {
   const auto points = algebra::scrambled_block(seed, block, around ? 5 : 3);
   std::vector<Aim> drawn, aims;
-  std::vector<std::uint64_t> order;  // each holds the bits of part, cell, index in `drawn`
+  std::vector<std::uint64_t> order;  // each packs part, cell and index in `drawn`
   drawn.reserve(points.rows());
   for (std::size_t i = 0; i < points.rows(); ++i)
     if (const auto photon = aim(points.row(i), around)) {

@@ -18,17 +18,17 @@ namespace coppermoon::shadow {
 /// on the Sun.
 struct Aim {
   std::size_t part, cell;  ///< part of the limb, and interval between two of the part's rays
-  double along;            ///< place in the cell: 0 at the lower ray, 1 at the upper
+  double along;            ///< place in the cell: 0 at the lower ray, 1 at the upper ray
   double tangent_height_m;
   glm::dvec2 toward;  ///< unit vector from the axis to the limb
-  glm::dvec2 source;  ///< on the Sun's disc, in solar radii
+  glm::dvec2 source;  ///< point on the Sun's disc, in solar radii
   /// probability density of the source on a uniform disc, divided by the joint density [m⁻¹] of height and source
   /// with which the photon was drawn
   double weight_m;
 };
 
 /// Tables of landing place and light on each plane, by tangent height and wavelength, from which photons are drawn.
-/// Each of N photons carries the light that falls in unshaded sunlight on an area [m²] of 1/N times
+/// Each of N photons carries as much light as falls, in unshaded sunlight, on an area [m²] of 1/N times
 ///
 ///     2π T b (db/dh) / p(h)
 ///
@@ -50,8 +50,8 @@ class LimbLandings {
   /// Given  around  whether to draw position angles; if not, the position angle of every photon is 0
   std::vector<Aim> aims(std::uint64_t seed, std::uint64_t block, bool around) const;
 
-  /// Writes the light that photons carry after they have passed the limb, by wavelength [m²]. It includes the Sun's
-  /// brightness at each photon's source.
+  /// Writes the light that photons carry after they have passed the limb, at each wavelength, as the area [m²] that
+  /// receives as much unshaded sunlight. The Sun's brightness at each photon's source is included.
   ///
   /// Given  light  grid with at least as many rows as there are aims
   void pass(std::span<const Aim> aims, algebra::Grid<float>& light) const;
@@ -60,11 +60,11 @@ class LimbLandings {
   void land(std::span<const Aim> aims, std::size_t plane, algebra::Grid<float>& landing_m) const;
 
  private:
-  /// Tables of one part of the limb.
+  /// Tables for one part of the limb.
   struct Table {
-    std::vector<double> heights_m;       ///< by ray
-    std::vector<double> middle_landing;  ///< at the middle wavelength, in projected solar radii
-    algebra::Grid<float> light;          ///< (2 cell + end, wavelength), end 0: lower ray, 1: upper
+    std::vector<double> heights_m;       ///< [ray], tangent heights
+    std::vector<double> middle_landing;  ///< [ray], middle wavelength, in projected solar radii
+    algebra::Grid<float> light;          ///< (2 × cell + end, wavelength); end 0 is the lower ray
     std::vector<algebra::Grid<float>> landing_m;  ///< [plane](ray, wavelength)
     /// (bin of axis distance, ray): cumulative probability that a photon passes below the ray; all 0 if no light
     /// lands in the bin

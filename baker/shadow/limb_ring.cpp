@@ -14,12 +14,12 @@
 namespace coppermoon::shadow {
 namespace {
 
-/// Refraction and extinction of a ray that passes the limb.
+/// Refraction and extinction of a ray that passes the limb, at one wavelength.
 struct Passage {
   double bending_rad = 0, optical_depth = 0, filter = 1;
 };
 
-/// Passage of a ray through one part of the limb; nothing if the ray meets the ground.
+/// Passage of a ray through one part of the limb. Returns nothing if the ray meets the ground.
 std::optional<Passage> passage(const photons::Fan& fan, double impact_height_m) {
   const auto& heights = fan.impact_height_m;
   if (impact_height_m < heights.front()) return std::nullopt;

@@ -28,25 +28,25 @@ class LimbRing {
     double lowest_m, highest_m;
   };
 
-  /// Given   arrangement     of Sun and Earth; its planes are not used
+  /// Given   arrangement     distance and limb darkening of the Sun; the planes are not used
   ///         place           100 000 to 1 000 000 km behind the Earth
   ///         wavelengths_nm  380 to 780
   ///         rays            number of rays in the limb's table, 2 to 1e7
-  /// Throws  Error           when an argument is outside its range, or there is no air
+  /// Throws  Error           if an argument is outside its range, or there is no air
   LimbRing(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
            const eclipse::ShadowPlace& place, std::span<const double> wavelengths_nm,
            int rays = 1000);
 
-  /// Writes the radiance relative to the mean radiance of the Sun's disc, by wavelength.
+  /// Writes the ring's radiance at one point, by wavelength, relative to the mean radiance of the Sun's disc.
   ///
   /// Given     position_angle_rad  about the Earth's centre, from the shadow frame's Y towards its X
   ///           impact_parameter_m  b, 0 to D
-  /// Accuracy  integrated over the ring, within 0.3 % of the irradiance that by_quadrature finds
+  /// Accuracy  the integral over the ring is within 0.3 % of the irradiance that by_quadrature finds
   void radiance(double position_angle_rad, double impact_parameter_m,
                 std::span<double> values) const;
 
-  /// Impact parameters of the ring, from the lowest ground at the limb to the table's ray just above the highest one
-  /// that comes from the Sun. Empty if no ray comes from the Sun.
+  /// Range of impact parameters at which the ring may have light: from the lowest ground at the limb to the first ray
+  /// of the table above all rays from the Sun. It is empty if no ray comes from the Sun.
   Extent extent() const;
 
   /// Distance D of the place from the Earth's centre [m].

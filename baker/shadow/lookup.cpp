@@ -18,12 +18,12 @@ namespace {
 
 constexpr double widest_spacing_m = 10e3;
 
-/// Largest number of parts in a cell. More are needed if the Sun is not limb-darkened, because its limb, which appears
-/// first, is then as bright as its middle.
+/// Largest number of parts into which a cell of axis distance is divided. More are needed if the Sun is not
+/// limb-darkened, because its limb, which appears first, is then as bright as its middle.
 double most_parts(const Arrangement& arrangement) { return arrangement.limb_darkening ? 10 : 40; }
 
-/// Axis distance up to which refracted light of the last place is used. It is half a spacing beyond that place; for
-/// photons, this is where the last ring ends.
+/// Axis distance up to which the refracted light of the last place is used. It is half a spacing beyond that place. For
+/// photons, the last ring ends there.
 double last_distance(std::span<const double> x) {
   return x.size() < 2 ? x.back() : x.back() + (x.back() - x[x.size() - 2]) / 2;
 }
@@ -59,14 +59,14 @@ std::vector<Weights> by_channel(const algebra::Grid<double>& weights) {
   return all;
 }
 
-/// Up to four consecutive places, and their weights at a point between them.
+/// Up to four consecutive places with known light, and their weights for a point between them.
 struct Cubic {
-  std::ptrdiff_t first = 0;  ///< −1 is the nearest place beyond the axis
+  std::ptrdiff_t first = 0;  ///< index of the first place; −1 is the nearest beyond the axis
   std::size_t count = 0;
   std::array<double, 4> share{};
 };
 
-/// Weights for the cubic through two places on either side of a point. Outside all places, the end values hold.
+/// Weights for the cubic through two places on either side of a point. Outside the places, the nearest value applies.
 ///
 /// Given  beyond_axis  number of places used beyond the axis, which are mirror images of those on this side
 Cubic cubic_at(std::span<const double> x, std::size_t beyond_axis, double at) {
@@ -91,7 +91,7 @@ Cubic cubic_at(std::span<const double> x, std::size_t beyond_axis, double at) {
 
 using Rows = std::array<std::span<const double>, 4>;
 
-/// Rows of a cubic's places. If there are fewer than four, the last is repeated.
+/// Rows of light at the places of a cubic. If there are fewer than four, the last row is repeated.
 Rows rows_of(const Cubic& cubic, const algebra::Grid<double>& here,
              const algebra::Grid<double>& across) {
   Rows rows;
@@ -109,10 +109,10 @@ double on_cubic(const Cubic& cubic, const Rows& rows, std::size_t k) {
          share[3] * rows[3][k];
 }
 
-/// Limits up to which the logarithm is interpolated: relative noise, and ln(brightest / darkest) of four places.
+/// Limits for interpolating in the logarithm of light: relative noise, and ln(brightest / darkest) among four places.
 constexpr double known_to = 1. / 3, widest_range = 7;
 
-/// Whether to interpolate the logarithm; false if a logarithm is NaN.
+/// Whether to interpolate in the logarithm of light; false if a logarithm is NaN.
 bool in_logarithm(const Rows& logs, std::size_t k) {
   const auto [low, high] = std::minmax({logs[0][k], logs[1][k], logs[2][k], logs[3][k]});
   const double sum = logs[0][k] + logs[1][k] + logs[2][k] + logs[3][k];
@@ -123,7 +123,7 @@ std::size_t sector_of(const LookupTable& table, std::size_t row) {
   return table.sectors[row / table.nodes.count() % table.held];
 }
 
-/// Whether a row of the table belongs to the dark sector that stands for all sectors not held.
+/// Whether a row of the table belongs to the dark sector, which stands for all sectors that the table does not hold.
 bool is_dark(const LookupTable& table, std::size_t row) {
   return !table.sectors.all() && row / table.nodes.count() % table.held == table.held - 1;
 }
@@ -139,7 +139,7 @@ struct Filling {
   std::vector<Weights> refracted_in = by_channel(weights), direct_in = by_channel(direct_weights);
 
   /// Given     row  index of a row of the table
-  /// Returned  whether refracted light is known there
+  /// Returned  whether refracted light is known at this row's place
   bool fill(LookupTable& table, std::size_t row, std::span<double> ratios,
             std::span<double> clear) const {
     const std::size_t nodes = table.nodes.count(), plane = row / nodes / table.held,
@@ -175,10 +175,10 @@ double bend(const LookupTable& table, std::size_t middle) {
 
 /// Fills a table whose nodes have been set.
 ///
-/// Returned  by row, whether refracted light is known there
+/// Returned  for each row, whether refracted light is known at its place
 std::vector<char> fill_table(LookupTable& table, const Filling& filling) {
   const std::size_t rows = table.depths_m.size() * table.held * table.nodes.count();
-  table.values = {};  // frees the coarser table's memory first
+  table.values = {};  // frees the coarser table before the finer one is allocated
   table.values = algebra::Grid<float>(rows, table.sunlight.size());
   std::vector<char> known(rows);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows, 64), [&](const auto& part) {
@@ -200,14 +200,14 @@ std::vector<double> bends(const LookupTable& table, std::span<const char> known)
   return worst;
 }
 
-/// Number of parts into which a cell is cut. The error of linear interpolation falls as the square of the spacing. At
-/// the umbra's edge it falls as the power 3/2, because the Sun's uncovered area rises with that power there.
+/// Number of parts into which a cell is divided. The error of linear interpolation falls as the square of the spacing.
+/// At the umbra's edge it falls as the power 3/2, because the Sun's uncovered area rises with that power there.
 double parts_for(double tolerance, double error) {
   if (error <= tolerance) return 1;
   return std::ceil(std::pow(error / (0.8 * tolerance), 2. / 3));
 }
 
-/// Number of parts for each cell, derived from the bends at its own and neighbouring nodes. The whole table is limited
+/// Number of parts for each cell, from the largest `bend` at nodes in or next to the cell. The whole table is limited
 /// to half a gigabyte.
 std::vector<double> parts_of_cells(const LookupTable& table, std::span<const double> bends,
                                    double tolerance, double most) {
@@ -273,7 +273,7 @@ Lookup::Lookup(const ChannelWeights& weights, LightPart part) {
 
 Lookup::Lookup(const RefractedLight& light, const DirectLight& direct,
                const ChannelWeights& weights, const LookupRange& range, LightPart part)
-    : Lookup(weights) {  // sets the sunlight to which errors are relative
+    : Lookup(weights) {  // sets table_.sunlight, to which errors are relative
   algebra::require_within("tolerance of the look-up", range.tolerance, 1e-6, 0.1);
   table_.depths_m = light.arrangement.depths_m;
   table_.middle_depth_m = std::midpoint(table_.depths_m.front(), table_.depths_m.back());

@@ -27,26 +27,26 @@ enum class LightPart {
 /// Axis distances and sectors in which a look-up will be read, and its tolerance.
 struct LookupRange {
   double from_m = 0;
-  double to_m = std::numeric_limits<double>::infinity();  ///< limited to the penumbra's end
-  double tolerance = 1e-4;                                ///< 1e-6 to 0.1; see Accuracy at Lookup
+  double to_m = std::numeric_limits<double>::infinity();  ///< clamped to the penumbra's end
+  double tolerance = 1e-4;                                ///< 1e-6 to 0.1; see Lookup
   /// sectors to hold, including two on either side of each place that is read; others may stay dark. If the light
   /// has a different number of sectors around the axis, all are held
   Sectors sectors{};
 };
 
-/// Interpolates refracted light in axis distance, wavelength by wavelength, with a cubic through four known places;
-/// negative results become 0. For photons, whose rings have a fixed width, the logarithm of the light is interpolated
-/// if all four rings are known to a third or better and lie within a factor of a thousand. For photons, the cubic also
-/// continues across the axis into the opposite sector. Before the first known place, and for half a spacing beyond the
-/// last (up to its ring's outer edge), light is that at the nearest place. Farther out it is 0.
+/// Interpolates refracted light in axis distance, wavelength by wavelength, with a cubic through four places where it
+/// is known. Negative results become 0. For photons, whose rings have a fixed width, the logarithm of the light is
+/// interpolated if all four rings are known to a third or better and lie within a factor of a thousand. For photons,
+/// the cubic also continues across the axis into the opposite sector. Before the first known place, and for half a
+/// spacing beyond the last (up to its ring's outer edge), light is that of the nearest place. Farther out it is 0.
 ///
-/// Accuracy  for light that falls by a factor e in two spacings, 2e-3; with the logarithm, 1e-5
+/// Accuracy  2e-3 for light that falls by a factor e in two spacings; 1e-5 if the logarithm is interpolated
 class BetweenPlaces {
  public:
   /// Given  light  must outlive this object
   explicit BetweenPlaces(const RefractedLight& light);
 
-  /// Writes the ratio at each wavelength.
+  /// Writes refracted light as a ratio to unshaded sunlight at each wavelength.
   void read(std::size_t plane, std::size_t sector, double at_m, std::span<double> ratios) const;
 
   /// Whether an axis distance lies between the first and the last known place.
@@ -55,8 +55,8 @@ class BetweenPlaces {
  private:
   const RefractedLight& light_;
   std::vector<algebra::Grid<double>>
-      logs_;  ///< indexed like ratio; NaN if too noisy; empty if light has no noise
-  std::size_t beyond_axis_ = 0;  ///< number of places in the opposite sector that are read
+      logs_;  ///< logarithms of `ratio`, NaN if it is too noisy; empty for light without noise
+  std::size_t beyond_axis_ = 0;  ///< number of places that are read in the opposite sector
   double from_m_, to_m_;
 };
 
@@ -69,8 +69,8 @@ class BetweenPlaces {
 class Lookup {
  public:
   /// Given     light    refracted light
-  ///           direct   direct light of the same arrangement
-  ///           weights  (channel, wavelength)
+  ///           direct   direct light for the same arrangement
+  ///           weights  (channel, wavelength): how much each wavelength counts in each channel
   ///           range    part of the shadow to tabulate; outside it, the outermost values apply up to the penumbra's end
   /// Accuracy  linear interpolation between nodes errs by less than the tolerance times the brightest channel (each
   ///           relative to its unshaded sunlight), unless that requires nodes closer than 1 km (250 m if the Sun is not
@@ -89,21 +89,21 @@ class Lookup {
 
   std::size_t channels() const { return table_.channels; }
 
-  /// Writes the value of each channel.
+  /// Writes the value of each channel at one place in the shadow.
   void read(const eclipse::ShadowPlace& place, std::span<double> values) const;
 
-  /// Writes the values at many places, as described for LookupTable.
+  /// Writes the values at many places, in the order described at `read` for a LookupTable.
   void read(const Places& places, std::span<double> values) const {
     shadow::read(table_, places, values);
   }
 
-  /// Applies a function, such as gamut mapping, to every entry's channels in place.
+  /// Applies a function, such as gamut mapping, to the channels of every entry of the table, in place.
   void transform(const std::function<void(std::span<double>)>& change);
 
-  /// Largest relative standard error of the first channel between two axis distances, including structure that the
-  /// rings of photons do not resolve; 1 where no light arrived.
+  /// Largest relative standard error of the first channel between two axis distances; 1 where no light arrived. It
+  /// includes the error due to structure that the rings of photons do not resolve.
   ///
-  /// Given  light, weights  those from which the look-up was made; it must not have been transformed since
+  /// Given  light, weights  those from which the look-up was made, which must not have been transformed since
   double worst_relative_error(const RefractedLight& light, const ChannelWeights& weights,
                               double from_m, double to_m) const;
 

@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace coppermoon::shadow::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Place between two neighbours in the table's values: the offset of the first, and the weight of the second.
+/// Place between two neighbouring entries of the table: the offset of the first, and the weight of the second.
 template <class V>
 struct Between {
   V low, part;
@@ -25,10 +25,10 @@ struct Between {
 
 constexpr std::size_t places_at_once = 64;
 
-/// Number of sectors in a cubic of position angle: two on either side of a place.
+/// Number of sectors used for cubic interpolation in position angle: two on either side of a place.
 constexpr std::size_t sectors_about = 4;
 
-/// Offsets and weights with which the table is read at a few places.
+/// Offsets and weights for reading the table at a few places.
 struct Found {
   std::array<std::array<std::int64_t, places_at_once>, sectors_about> start;  ///< -1 in sunlight
   std::array<double, places_at_once> along, deeper;
@@ -68,7 +68,7 @@ Between<V> between_planes(D d, const LookupTable& table, V depth_m) {
   return {low, part};
 }
 
-/// Position angle from north through east, 0 to 2π.
+/// Position angle [rad] from north through east, 0 to 2π.
 template <class D, class V = hn::VFromD<D>>
 V position_angle(D d, V east, V north) {
   const auto x = hn::Abs(east), y = hn::Abs(north);
@@ -89,7 +89,7 @@ V sheared_by(D d, V axis_distance_m, V deeper) {
   return hn::MulAdd(shift, part, axis_distance_m);
 }
 
-/// Lagrange weights of four sectors at -1, 0, 1 and 2.
+/// Lagrange weights for cubic interpolation between four sectors at -1, 0, 1 and 2.
 ///
 /// Given  t  place between the second sector and the third, 0 to 1
 template <class D, class V = hn::VFromD<D>>
@@ -102,7 +102,7 @@ std::array<V, sectors_about> cubic_shares(D d, V t) {
           hn::Mul(inner, before)};
 }
 
-/// Finds offsets and weights of as many places as D has lanes, from the i-th on, and writes them from the k-th on.
+/// Finds offsets and weights for a vector of places, beginning with place i, and stores them in `found` from k on.
 template <class D>
 void find_lanes(D d, const LookupTable& table, const Places& places, std::size_t i, std::size_t k,
                 Found& found) {
@@ -128,7 +128,7 @@ void find_lanes(D d, const LookupTable& table, const Places& places, std::size_t
                             hn::Mul(count, hn::Set(d, 1 / (2 * std::numbers::pi))));
   const auto whole = hn::Floor(turn), first = hn::Set(d, static_cast<double>(table.sectors.first)),
              dark = hn::Set(d, static_cast<double>(table.held - 1));
-  const auto start_of = [&](auto sector) {  // -1 to count + 2, because a turn may round up to count
+  const auto start_of = [&](auto sector) {  // sector is -1 to count + 2, as turn may be rounded up
     auto after = hn::Sub(sector, first);
     after = hn::IfThenElse(hn::Lt(after, hn::Zero(d)), hn::Add(after, count), after);
     after = hn::IfThenElse(hn::Ge(after, count), hn::Sub(after, count), after);
@@ -143,7 +143,7 @@ void find_lanes(D d, const LookupTable& table, const Places& places, std::size_t
   }
 }
 
-/// Interpolates as many channels of a place as D has lanes.
+/// Interpolates a vector of channels at one place, as many as D has lanes.
 template <class D, class V = hn::VFromD<D>>
 V blended(D d, const LookupTable& table, const Found& found, std::size_t k, std::size_t channel) {
   if (found.start[0][k] < 0) return hn::LoadU(d, &table.sunlight[channel]);
@@ -171,7 +171,7 @@ V blended(D d, const LookupTable& table, const Found& found, std::size_t k, std:
   return hn::Max(value, lowest);
 }
 
-/// Writes a place's channels, in whole vectors where there is room. The next place overwrites the surplus.
+/// Writes the channels of one place, in whole vectors if there is room. The next place overwrites the surplus values.
 void store(const LookupTable& table, const Found& found, std::size_t k, std::size_t place,
            std::span<double> values) {
   const hn::CappedTag<double, channel_padding> d;

@@ -16,7 +16,7 @@ struct Places {
   std::span<const double> east_m, north_m, depth_m;
 };
 
-/// Nodes of axis distance, denser where light varies faster. Cells of equal width are each cut into equal parts.
+/// Nodes of axis distance, denser where light varies faster. Cells of equal width are each divided into equal parts.
 struct UnevenNodes {
   double first_m = 0, cell_m = 1;  ///< axis distance of the first node; width of a cell
   std::vector<double> first_node;  ///< [cell] index of the cell's first node
@@ -26,28 +26,28 @@ struct UnevenNodes {
   std::size_t count() const { return at_m.size(); }
 };
 
-/// Nodes for cells that are cut into the given numbers of parts.
+/// Nodes for cells that are divided into the given numbers of parts.
 UnevenNodes uneven_nodes(double first_m, double cell_m, std::span<const double> parts);
 
 /// Channel values by plane, sector and node of axis distance.
 struct LookupTable {
   std::size_t channels = 0;
-  std::vector<double> depths_m;  ///< of the planes, increasing
-  double middle_depth_m = 0;     ///< depth for which the nodes' axis distances hold; see `sheared`
-  std::vector<double> sunlight;  ///< [channel], padded
+  std::vector<double> depths_m;  ///< depths of the planes, increasing
+  double middle_depth_m = 0;     ///< depth at which the nodes' axis distances apply; see `sheared`
+  std::vector<double> sunlight;  ///< [channel], padded; value in full sunlight
   Sectors sectors{};             ///< sectors that the table holds
   /// number of sectors held; if these are not all, it includes one dark sector that stands for all others
   std::size_t held = 1;
   UnevenNodes nodes;
   double end_m = 0;  ///< beyond this axis distance there is full sunlight
-  /// ((plane × held + sector, counted from the first held) × nodes + node, padded channel)
+  /// indexed by (row, padded channel), with row = (plane × held + sector − first sector) × nodes + node
   algebra::Grid<float> values;
 };
 
 /// Typical impact parameter of rays past the limb [m].
 inline constexpr double limb_m = 6.39e6;
 
-/// Axis distance within which the limb on both sides of the axis sends light [m].
+/// Axis distance within which light arrives from the limb on both sides of the axis [m].
 inline constexpr double one_limb_m = 1.5e6;
 
 /// Follows a straight line from the limb between two planes of the shadow, and returns the axis distance at which it
@@ -66,8 +66,8 @@ inline double sheared(double axis_distance_m, double deeper) {
 inline constexpr std::size_t channel_padding = 4;
 
 /// Reads the table by interpolation: linear between planes and nodes, cubic in position angle. The result is at least 0
-/// (or the least of the four sectors, if that is negative). Outside the table, the values at the outermost planes and
-/// nodes hold. Beyond `end_m`, and on the Sun's side of the Earth, there is full sunlight.
+/// (or the least value in the four sectors, if that is negative). Outside the table, the values at the outermost planes
+/// and nodes apply. Beyond `end_m`, and on the Sun's side of the Earth, there is full sunlight.
 ///
 /// Given     table   with two nodes or more; if it has none, there is full sunlight everywhere
 /// Returned  values  [place × channels + channel]

@@ -5,7 +5,7 @@
 
 namespace coppermoon::shadow {
 
-/// Smallest multiple of `multiple` that is at least `count`. It is the length of a row that is read in whole vectors.
+/// Smallest multiple of `multiple` that is not below `count`. Rows of this length can be read in whole vectors.
 constexpr std::size_t padded(std::size_t count, std::size_t multiple) {
   return (count + multiple - 1) / multiple * multiple;
 }

@@ -51,7 +51,7 @@ void multiply(std::span<const Between> places, Grid<float>& rows) {
   }
 }
 
-/// Position angle from the y axis towards x, −π to π.
+/// Position angle [rad] from the y axis towards x, −π to π.
 HWY_INLINE Vector position_angle(Vector x, Vector y) {
   constexpr float pi = std::numbers::pi_v<float>;
   const auto across = hn::Abs(x), along = hn::Abs(y);
@@ -72,7 +72,7 @@ HWY_INLINE Vector sector_of(Vector x, Vector y, std::size_t sectors) {
   return hn::IfThenElse(hn::Lt(nearest, hn::Zero(floats)), hn::Add(nearest, all), nearest);
 }
 
-/// Row of cells, within one plane, in which each wavelength lands.
+/// Row of the tally, within one plane, in which each wavelength of a photon lands.
 HWY_INLINE hn::Vec<Whole> row_of(Vector x, Vector y, const Rings& rings) {
   const auto distance = hn::Sqrt(hn::MulAdd(x, x, hn::Mul(y, y)));
   const auto beyond = hn::Set(floats, static_cast<float>(rings.rings));
@@ -89,7 +89,7 @@ HWY_INLINE void add_to(std::size_t cell, Vector light, std::size_t w, Tally& tal
   tally.touched[cell] = 1;
 }
 
-/// Adds the light of a vector of wavelengths to the tally, once for each distinct row (nearly always one or two).
+/// Adds the light of a vector of wavelengths to the tally, once for each row where it lands (mostly one or two rows).
 HWY_INLINE void add(hn::Vec<Whole> rows, Vector light, std::size_t first_row, std::size_t w,
                     Tally& tally) {
   const Whole whole;
@@ -123,8 +123,8 @@ void gather(std::span<const Aside> photons, const Grid<float>& landing_m, const 
   }
 }
 
-/// Adds one row to `sums`, and its squares to `squares`, and clears it. Each step takes half a vector of floats,
-/// because doubles are twice as wide.
+/// Adds one row of light to `sums` and its squares to `squares`, and clears the row. Each step takes half a vector of
+/// floats, because doubles are twice as wide.
 void drain_row(std::span<float> light, std::span<double> sums, std::span<double> squares) {
   using Doubles = hn::CappedTag<double, 8>;
   const Doubles doubles;

@@ -23,7 +23,7 @@ bool alike(const PhotonSums& a, const PhotonSums& b) {
          a.rings == b.rings && a.all_wavelengths == b.all_wavelengths && a.sectors == b.sectors;
 }
 
-/// Union of two lists of ranges, in order, with adjacent ranges joined.
+/// Union of two lists of ranges of blocks, in order, with adjacent ranges joined.
 std::vector<BlockRange> united(std::vector<BlockRange> ranges,
                                const std::vector<BlockRange>& more) {
   ranges.insert(ranges.end(), more.begin(), more.end());
@@ -65,7 +65,7 @@ void add(Grids& grids, Grids& rests, const Grids& more, const Grids& more_rests)
     }
 }
 
-/// Irradiance ratio in a cell of a ring, per square metre of unshaded sunlight that lands in the cell.
+/// Ratio of irradiance to unshaded sunlight in a cell, per square metre of unshaded sunlight that lands in the cell.
 double ratio_per_m2(const PhotonSums& sums, double depth_m, std::size_t ring) {
   const double spread = 1 + depth_m / sums.arrangement.sun_distance_m;
   const double area_m2 = std::numbers::pi * sums.ring_width_m * sums.ring_width_m *
@@ -73,7 +73,7 @@ double ratio_per_m2(const PhotonSums& sums, double depth_m, std::size_t ring) {
   return spread * spread / area_m2;
 }
 
-/// Turns sums over blocks, and sums of squares, into a mean and its standard error, in place.
+/// Turns sums over blocks of photons, and the sums of squares, into means and their standard errors, in place.
 void become_estimates(std::span<double> sums, std::span<double> squares, double scale,
                       double blocks) {
   for (std::size_t w = 0; w < sums.size(); ++w) {
@@ -86,7 +86,7 @@ void become_estimates(std::span<double> sums, std::span<double> squares, double 
   }
 }
 
-/// Limits up to which a ring is used as a neighbour: relative noise, and the logarithm of the ratio of the two rings.
+/// Limits for using a ring as a neighbour: its relative noise, and the logarithm of the ratio of the two rings.
 constexpr double known_well = 1. / 3, steepest = 4;
 
 /// Mean light of a ring at one wavelength, and its noise.
@@ -100,8 +100,8 @@ RingLight ring_light(double mean, double noise) {
   return {std::log(mean), noise / mean, true};
 }
 
-/// Number of extra rings at either end of a sector's line of rings. Before the first, they are rings of the opposite
-/// sector, across the axis. After the last, they are rings that count as unknown.
+/// Number of rings added at either end of a sector's line of rings. The rings added before the first one are those of
+/// the opposite sector, across the axis. The rings added after the last one count as unknown.
 constexpr std::size_t beyond = 2;
 
 void fill_line(const RefractedLight& means, std::size_t grid, std::size_t wave,
@@ -117,7 +117,7 @@ void fill_line(const RefractedLight& means, std::size_t grid, std::size_t wave,
   for (std::size_t r = 0; r < rings; ++r) line[beyond + r] = ring(grid, r);
 }
 
-/// Whether two rings count as neighbours for the parabola: both are known, and their ratio is within the limit.
+/// Whether two rings count as neighbours in the parabola: both are known, and their light differs by a limited factor.
 bool linked(const RingLight& a, const RingLight& b) {
   return a.known && b.known && std::abs(a.log_mean - b.log_mean) <= steepest;
 }
@@ -148,7 +148,7 @@ double mean_over_middle(LogShape shape, double steepening) {
 void deconvolve(std::span<const RingLight> line, std::vector<double>& logs) {
   logs.resize(line.size());
   for (std::size_t i = 0; i < line.size(); ++i) logs[i] = line[i].log_mean;
-  constexpr int passes = 4;  // each leaves a tenth of the error, or a third on the steepest slope
+  constexpr int passes = 4;  // each pass leaves 0.1 of the error, or 0.3 on the steepest slope
   std::vector<double> next = logs;
   for (int pass = 0; pass < passes; ++pass) {
     for (std::size_t i = beyond; i + beyond < line.size(); ++i) {
@@ -163,7 +163,7 @@ void deconvolve(std::span<const RingLight> line, std::vector<double>& logs) {
   }
 }
 
-/// Square of the logarithm's fourth difference about a ring, minus the value expected from noise alone. Empty if the
+/// Square of the fourth difference of ln(light) about a ring, minus the value expected from noise alone. Empty if the
 /// five rings are not all neighbours.
 std::optional<double> fourth_difference_squared(std::span<const RingLight> line, std::size_t i) {
   constexpr std::array<double, 5> weights{1, -4, 6, -4, 1};
@@ -177,8 +177,8 @@ std::optional<double> fourth_difference_squared(std::span<const RingLight> line,
   return difference * difference - variance;
 }
 
-/// Relative error due to unresolved structure of the light at and near a ring's middle. The squares of the neighbouring
-/// rings' differences count half, because fourth differences change sign about a kink.
+/// Relative error due to unresolved structure of the light at and near a ring's middle. The squares of fourth
+/// differences at the neighbouring rings count half, because these differences change sign about a kink.
 double unresolved(std::span<const RingLight> line, double log_light, std::size_t i) {
   const auto own = fourth_difference_squared(line, i);
   if (!own) return std::abs(std::expm1(line[i].log_mean - log_light));
@@ -189,7 +189,7 @@ double unresolved(std::span<const RingLight> line, double log_light, std::size_t
   return 3. / 32 * std::sqrt(std::max(0., sum));
 }
 
-/// Relative noise of the light at a ring's middle, with rings taken as independent and ln E ≈ ln M − δ² ln M / 24.
+/// Relative noise of the light E at a ring's middle, for independent rings with means M and ln E ≈ ln M − δ² ln M / 24.
 double noise_at_middle(std::span<const RingLight> line, std::size_t i) {
   const auto of_next = [&](std::size_t k) {
     return linked(line[i], line[k]) ? line[k].relative_noise / 24 : 0;

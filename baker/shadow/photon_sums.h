@@ -10,7 +10,6 @@
 
 namespace coppermoon::shadow {
 
-/// Number of photons in a block.
 inline constexpr std::uint64_t photons_a_block = 1024;
 
 /// Smallest number of blocks for an estimate of the standard error.
@@ -26,14 +25,14 @@ struct BlockRange {
 /// Blocks that hold the given number of photons, rounded up to whole blocks.
 BlockRange blocks_of(std::uint64_t photons);
 
-/// One of the equal parts into which a range of blocks is cut.
+/// One of the equal parts into which a range of blocks is divided.
 ///
 /// Given   part   number of the part, 1 to `parts`
 /// Throws  Error  if a number is outside its range
 BlockRange shard(BlockRange blocks, std::uint64_t part, std::uint64_t parts);
 
-/// Sums of the light that blocks of photons brought to each cell. They are partial results of one simulation, which
-/// can be traced in several runs and merged.
+/// Sums of the light that blocks of photons brought to each cell of the shadow planes. They are partial results of one
+/// simulation, which can be traced in several runs and merged.
 struct PhotonSums {
   /// identifies the simulation: air, arrangement, seed and every other input. Only sums with equal keys can be merged
   std::string key;
@@ -41,8 +40,7 @@ struct PhotonSums {
   std::vector<double> wavelengths_nm;
   double ring_width_m = 0;
   std::size_t rings = 0, sectors = 1;
-  bool all_wavelengths =
-      true;  ///< whether a photon carries all wavelengths; otherwise it carries one
+  bool all_wavelengths = true;   ///< whether a photon carries all wavelengths, or only one
   std::vector<BlockRange> done;  ///< ranges of traced blocks, in order, with gaps between them
   /// [plane × sectors + sector](ring, wavelength): sum over blocks of each block's light, and of its square. Light is
   /// expressed as the area [m²] that receives as much light in unshaded sunlight
@@ -53,16 +51,16 @@ struct PhotonSums {
 
 std::uint64_t blocks_in(const std::vector<BlockRange>& ranges);
 
-/// Blocks of a range that are not done yet.
+/// Blocks of a range that have not been traced yet.
 std::vector<BlockRange> missing(const PhotonSums& sums, BlockRange blocks);
 
 /// Merges the sums of two runs.
 ///
-/// Accuracy  the same as a single run except for rounding, 1e-12, however many sums are merged one after another
+/// Accuracy  equal to a single run up to rounding, 1e-12, however many sums are merged one after another
 /// Throws    Error  if the keys differ, or both hold the same block
 PhotonSums merged(PhotonSums a, const PhotonSums& b);
 
-/// Mean and standard error of the light in each cell, placed at the ring's middle. Blocks are independent and
+/// Mean and standard error of the light in each cell, assigned to the ring's middle. Blocks are independent and
 /// identically distributed. The mean is therefore unbiased, and its standard error follows from the scatter of blocks.
 ///
 ///     E/E₀ = (1 + z/D)² Σ / (n A)      Σ = the cell's sum, A = the cell's area, n = number of photons
@@ -79,17 +77,17 @@ struct PhotonLight : RefractedLight {
 };
 
 /// Light at the rings' middles, deconvolved so that its means over the rings are the photons' means. The logarithm g of
-/// the light is a parabola through a ring and its two neighbours (across the axis, those of the opposite sector); s is
-/// the distance from the middle in ring widths h.
+/// the light is assumed to be a parabola through a ring and its two neighbours (across the axis, those of the opposite
+/// sector); s is the distance from the ring's middle in ring widths h, and r the axis distance of the middle.
 ///
 ///     E = M / ∫ (1 + s h/r) exp(g′ s + g″ s²/2) ds      −½ < s < ½, M = the ring's mean
 ///
 /// Between the middles, light is interpolated with a cubic in its logarithm (BetweenPlaces). The relative error due to
 /// structure that rings do not resolve is estimated as 3/32 of the fourth difference of ln M, which is four times the
-/// error of a cubic for a smooth curve. It is combined with the neighbouring rings' errors, whose squares count half,
+/// error of a cubic for a smooth curve. The errors at neighbouring rings are added, with their squares counted half,
 /// and the fourth difference that noise alone would cause is subtracted. Rings whose noise exceeds a third of their
-/// mean, including empty ones, keep their mean and are not used as neighbours. Nor are rings that are 50 times brighter
-/// or darker. If one neighbour is missing, g is a straight line, and the whole correction counts as an error.
+/// mean, including empty ones, keep their mean. They are not used as neighbours, nor are rings that are 50 times
+/// brighter or darker. If one neighbour is missing, g is a straight line, and the whole correction counts as an error.
 ///
 /// Returned  light with the same axis distances as from means_over_rings
 /// Accuracy  2e-5 for light that falls by a factor e in two ring widths or more; noise grows by 9 %
@@ -98,16 +96,16 @@ PhotonLight estimated(const PhotonSums& sums);
 /// Stopping rule: enough photons are traced when light, weighted over wavelengths, is known to a tolerance in
 /// every ring and sector between two axis distances.
 struct StoppingRule {
-  std::vector<double> weights;  ///< by wavelength
+  std::vector<double> weights;  ///< weight of each wavelength
   double tolerance;             ///< largest relative error at two standard errors, 1e-6 to 1
   double from_m, to_m;          ///< range of axis distances
 };
 
-/// Largest relative error of the weighted light at two standard errors of noise; 1 if no light has landed somewhere, or
+/// Largest relative error of the weighted light, at two standard errors of noise; 1 if a ring has received no light, or
 /// the noise is not known. Unresolved structure does not count, because more photons would not reduce it.
 double worst_error(const PhotonLight& light, const StoppingRule& rule);
 
-/// Largest relative error of the weighted light at two standard errors, which include unresolved structure.
+/// Largest relative error of the weighted light, at two standard errors, with unresolved structure included.
 double worst_error(const RefractedLight& light, const StoppingRule& rule);
 
 }  // namespace coppermoon::shadow

@@ -16,7 +16,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 void add_row(const atmosphere::Amounts& scattered, const atmosphere::Amounts& passed,
              const algebra::Grid<double>& spectra, std::span<const double> filter,
              std::span<double> ratio) {
-  constexpr double darkest = 700;  // exp(−700) is 1e-304
+  constexpr double darkest = 700;  // exp(−700) = 1e-304 is nearly the smallest double
   const hn::CappedTag<double, waves_together> d;
   for (std::size_t w = 0; w < ratio.size(); w += hn::Lanes(d)) {
     auto light = hn::Zero(d), depth = hn::Zero(d);

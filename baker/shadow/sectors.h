@@ -10,8 +10,8 @@ namespace coppermoon::shadow {
 /// Default number of sectors for light that is not symmetric about the axis.
 inline constexpr std::size_t sectors_around = 24;
 
-/// Consecutive sectors out of the equal sectors into which position angles about the shadow axis are divided. They are
-/// counted from `first` through east. Sector s is centred at 2π s / around.
+/// Consecutive sectors, counted from number `first` through east, out of `around` equal sectors of position angle about
+/// the shadow axis. Sector s is centred at 2π s / around.
 struct Sectors {
   std::size_t around = 1;  ///< number of sectors in the full circle, 1 or more
   std::size_t first = 0, count = around;
@@ -20,7 +20,7 @@ struct Sectors {
 
   bool all() const { return count >= around; }
 
-  /// Number of the i-th of these sectors.
+  /// Number of the i-th of these sectors, counted in the full circle.
   std::size_t operator[](std::size_t i) const { return (first + i) % around; }
 
   /// The number of a sector, wrapped into the range from 0 to around − 1.
@@ -57,7 +57,7 @@ struct Sectors {
                                : Sectors{around, (first + around - 1) % around, count + 2};
   }
 
-  /// These sectors if the full circle has `parts` of them; otherwise all sectors of a circle that has `parts`.
+  /// These sectors if the full circle is divided into `parts` sectors; otherwise all of a circle's `parts` sectors.
   Sectors in(std::size_t parts) const { return parts == around ? *this : Sectors{parts}; }
 };
 

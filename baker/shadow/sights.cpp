@@ -13,9 +13,9 @@ using atmosphere::Amounts;
 using atmosphere::Column;
 
 constexpr int nodes_a_piece = 4, points_a_sight = 48;
-constexpr double height_step_m = 500, along_step_m = 10e3;  // steps of the table of Slants
+constexpr double height_step_m = 500, along_step_m = 10e3;  // steps of the table in Slants
 
-/// Half the length of a sphere's chord that passes the sphere's centre at the given distance.
+/// Half the length of a sphere's chord at the given distance from the sphere's centre.
 double half_chord_m(double sphere_m, double away_m) {
   return std::sqrt((sphere_m - away_m) * (sphere_m + away_m));
 }
@@ -26,7 +26,7 @@ Amounts sum(const Amounts& a, const Amounts& b, double share_of_b = 1) {
   return both;
 }
 
-/// Altitudes at which the quadrature over sights is divided, because the profiles change there.
+/// Altitudes at which the quadrature over lines of sight is divided, because the profiles change there.
 std::vector<double> stations(const Column& column) {
   const double top = top_m(column);
   std::vector<double> heights{0, 5e3, 10e3, 15e3, 20e3, 25e3, 30e3, 40e3, 55e3, top};

@@ -75,8 +75,8 @@ class Ring {
     for (const auto* column : columns) airs_.push_back(in_air(*column, optics));
   }
 
-  /// Adds light per radian of position angle around the Earth. `ratio` holds the padded wavelengths of one atmosphere
-  /// after the other.
+  /// Adds this ring's light per radian of position angle around the Earth. `ratio` holds the padded wavelengths of the
+  /// first atmosphere, then of the second, and so on.
   void add(const View& view, std::span<double> ratio) const {
     const auto phase = scattering(column_, view.direction(radius_m_).z);
     const std::size_t waves = ratio.size() / airs_.size();
@@ -103,7 +103,7 @@ class Ring {
  private:
   struct InAir {
     Grid<double> spectra;        ///< (absorber, wavelength)
-    Grid<double> filters;        ///< (below or above the cloud's top, wavelength)
+    Grid<double> filters;        ///< (0 below, 1 above the cloud's top, wavelength)
     std::array<bool, 2> dark{};  ///< whether the filter is 0 at all wavelengths
   };
 
@@ -129,7 +129,7 @@ class Ring {
   std::vector<InAir> airs_;
 };
 
-/// Light [angle][wavelength] as a function of the angle between the directions of limb and place. It covers a half
+/// Light of a ring, indexed by [angle][wavelength]. The angle between the directions of limb and place covers a half
 /// circle, because the other half mirrors it. The padded wavelengths of the atmospheres follow one after the other.
 using AroundTheRing = std::vector<std::vector<double>>;
 
@@ -152,7 +152,7 @@ Grid<double> between_angles(std::size_t angles) {
   return shares;
 }
 
-/// Light that a place at one axis distance receives from a ring, by angle around the ring.
+/// Light that a place in the shadow receives from a ring, by angle around the ring.
 ///
 /// Given  shares  weights from `between_angles`
 ///        waves   padded number of wavelengths, in all atmospheres together
@@ -210,7 +210,7 @@ void gather(const Atmosphere& atmosphere, const std::vector<AroundTheRing>& ring
   }
 }
 
-/// Increasing multiples of a step that enclose a list of values, or the sorted list itself if that is no longer.
+/// Increasing multiples of a step that enclose a list of values, or the sorted list itself if that is not longer.
 std::vector<double> coarser(std::vector<double> list, double step) {
   std::ranges::sort(list);
   const double first = std::floor(list.front() / step), last = std::ceil(list.back() / step);

@@ -14,25 +14,26 @@ namespace coppermoon::shadow {
 ///
 ///     E/E₀ = (1 + z/D)² / r² ∫∫∫ Σ ω_k P_k(χ) / (4π) β_k exp(−τ) ds b db dφ
 ///
-/// The integral runs over sights from the place (at the distance r from the Earth's centre) past the limb at impact
-/// parameter b and position angle φ, and along each sight by s. β_k is an absorber's extinction, ω P/(4π) its
-/// scattering (atmosphere::scattering), and χ the angle between sunlight and sight, 0 to 1.7°. τ is the optical depth
-/// along the straight lines from the Sun to the scattering point and from there to the place. Over the share of the
-/// limb that cloud covers, cloud stops both lines below its top. The ground stops sunlight.
+/// The integral runs over lines of sight from the place (at the distance r from the Earth's centre) past the limb at
+/// impact parameter b and position angle φ, and along each line by s. For each absorber k, β_k is the extinction and
+/// ω_k P_k/(4π) the scattering (atmosphere::scattering). χ is the angle between sunlight and line of sight, 0 to 1.7°.
+/// τ is the optical depth along the straight lines from the Sun to the scattering point and from there to the place.
+/// Over the share of the limb that cloud covers, cloud stops both lines below its top. The ground stops sunlight.
 ///
 /// Given     wavelengths_nm    380 to 780
 ///           axis_distances_m  0 or more
-/// Returned  one sector for air without regions, otherwise sectors_around; at 450 nm on the axis 1.6e-7 in clear air,
-///           3.7e-7 in standard air, 1.0e-6 under a stratosphere full of ash
+/// Returned  one sector for air without regions, otherwise sectors_around. On the axis at 450 nm, the ratio is 1.6e-7
+///           in clear air, 3.7e-7 in standard air, and 1.0e-6 under a stratosphere full of ash
 /// Accuracy  1.5 %, compared with this integral and with sasktran2's single scattering on the axis, from clear air to
-///           ash. Only every third belt is used, to save 0.6 of the time; this errs by 2 % (1982, 1991) to 4 % (2022)
+///           ash. Only every third belt is used, which saves 0.6 of the time but errs by 2 % (1982, 1991) to 4 % (2022)
 /// Omits     multiple scattering, which on the axis adds 9 % (420 nm) to 5 % (700 nm) of this light in clear air, 1 %
 ///           more over ground of albedo 0.3, 2 to 11 % with stratospheric aerosol, and 2 to 4 % under ash (by
-///           sasktran2's discrete ordinates and successive orders); refraction, which makes up 20' of the 57' between
-///           sight and sunlight at 12 km but loses no light: 1 % for sights, and 1 % for sunlight; the Sun's radius,
-///           16'; the ellipsoid, which is replaced by a sphere of its mean limb, 0.2 %; depolarisation, 1 %; forward
-///           peaks sharper than Henyey and Greenstein's; dispersion of ω and g, which are for 550 nm, 5 %; light
-///           reflected by ground and cloud, because within 6378 km of the axis only the night side is seen
+///           sasktran2's discrete ordinates and successive orders); refraction (1 % along the line of sight, 1 % along
+///           sunlight), which makes up 20' of the 57' between the two at 12 km but loses no light; the Sun's radius,
+///           16'; the ellipsoid, which is replaced by a sphere of its mean limb (0.2 %); depolarisation (1 %); forward
+///           peaks sharper than Henyey and Greenstein's; the variation of ω and g with wavelength (5 %; both are for
+///           550 nm); light reflected by ground and cloud, because within 6378 km of the axis only the night side is
+///           seen
 /// Throws    Error           if an argument is outside its range
 RefractedLight twilight(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
                         std::span<const double> wavelengths_nm,
@@ -49,7 +50,7 @@ std::vector<RefractedLight> twilight_in(std::span<const atmosphere::Atmosphere> 
                                         std::span<const double> axis_distances_m);
 
 /// Twilight from which `add_between` interpolates the twilight at places in the shadow. It is computed on one middle
-/// plane, at the places' wavelengths and axis distances, or every 5 nm and every 1000 km if these are fewer.
+/// plane, at the places' wavelengths and axis distances, or every 5 nm and every 1000 km if that needs fewer.
 ///
 /// Given   light  light at the places, with increasing wavelengths
 ///         airs   as for twilight_in

@@ -12,14 +12,14 @@ namespace coppermoon::surface {
 /// Place of a texel's centre on an albedo map. The map is a Grid<float> in plate carrée: twice as many columns as rows,
 /// row 0 in the north, longitude 0 in the middle, east to the right.
 ///
-/// Given  row, column  of the texel
+/// Given  row, column  indices of the texel
 ///        rows         number of rows in the map
 almanac::SelenographicPoint texel_centre(std::size_t row, std::size_t column, std::size_t rows);
 
-/// Value of a map at a place, interpolated bilinearly between texel centres and across the seam at
-/// longitude 180; constant between the last row's centre and the pole.
+/// Value of a map at a place, interpolated bilinearly between texel centres and across the seam at longitude 180. From
+/// the centre of the last row to the pole, the value is constant.
 ///
-/// Given   at     any longitude; latitude clamped to ±90°
+/// Given   at     place with any longitude; latitudes outside ±90° are clamped
 /// Throws  Error  when the map is empty
 double sampled(const algebra::Grid<float>& map, const almanac::SelenographicPoint& at);
 
@@ -27,37 +27,37 @@ double sampled(const algebra::Grid<float>& map, const almanac::SelenographicPoin
 ///
 ///     mean over the disc of A f(mu) = p        f = radiance_factor_at_full_moon
 ///
-/// with the disc seen and lit from latitude 0, longitude 0. "Full Moon" means a phase of 1.5 degrees; the opposition
-/// surge at smaller phases is additional.
+/// with the disc seen and lit from latitude 0, longitude 0. "Full Moon" means a phase angle of 1.5 degrees. The
+/// opposition surge at smaller phase angles comes on top of this.
 ///
 /// Given     geometric_albedo  p, 0.01 to 1; the Moon's is 0.12 in V
 /// Returned  normal albedo A at each texel
-/// Accuracy  1e-3 of p for a map of any size, because the sum over the disc has at least 180 rows. At a phase of
-///           exactly 1.5 degrees the disc would be another 0.9e-3 darker, which is neglected
+/// Accuracy  1e-3 of p for a map of any size, because the sum over the disc has at least 180 rows. At a phase angle of
+///           exactly 1.5 degrees, the disc would be another 0.9e-3 darker, which is neglected
 /// Throws    Error  when p is outside its range, the map is not 2:1, or its near side is black
-/// Source    0.12: Allen's Astrophysical Quantities. E. Schmidt's photometry of 11 January 2009, 4900 to 5400 cd/m2 at
-///           a phase of 1.64 degrees, implies 0.115 to 0.127; ROLO, as it was calibrated, 0.135 at 1.5 degrees
+/// Source    Allen's Astrophysical Quantities for 0.12. E. Schmidt's photometry of 11 January 2009 (4900 to 5400 cd/m2
+///           at 1.64 degrees) implies 0.115 to 0.127; ROLO, with its own calibration, gives 0.135 at 1.5 degrees
 algebra::Grid<float> normalised_to_geometric_albedo(algebra::Grid<float> map, Photometry photometry,
                                                     double geometric_albedo = 0.12);
 
-/// Exponent that converts radiance factors at a phase of 60 degrees to those at full Moon, up to a constant factor. At
-/// 60 degrees the maria are darker relative to the highlands than at full Moon.
+/// Exponent that converts radiance factors at a phase angle of 60 degrees to those at full Moon, up to a constant
+/// factor. At 60 degrees, the maria are darker compared with the highlands than they are at full Moon.
 ///
 /// Source  a straight line fitted to the logarithms of all cells in Sato et al. (2014), weighted by area
 inline constexpr double exponent_to_full_moon = 1 / 1.56;
 
-/// Normal albedo, up to a constant factor, for a code value in NASA's CGI Moon Kit of 2019:
+/// Normal albedo, up to a constant factor, for a pixel value in NASA's CGI Moon Kit of 2019:
 ///
 ///     A = (0.16 + 0.24 v)^(2.8 exponent_to_full_moon)
 ///
-/// Given   code  v, 0 to 1
+/// Given   code  pixel value v, 0 to 1
 /// Source  https://svs.gsfc.nasa.gov/4720: "a gamma of 2.8" and "the range (0.16, 0.4)", for I/F at 60 degrees
 double kit_2019_albedo(double code);
 
-/// Restores the contrast near the poles in the map from NASA's CGI Moon Kit of 2019. Beyond latitude 64 degrees the kit
-/// fades into another map of lower contrast. A straight line fitted, cell by cell, to the logarithms of its albedos
-/// against those of Sato et al. (2014) has a slope that falls from 0.9 to 0.35 at 69.5 degrees north and south. To make
-/// up for this, deviations from a row's mean M are amplified:
+/// Restores the contrast near the poles in the map from NASA's CGI Moon Kit of 2019. Beyond latitude 64 degrees, the
+/// kit's map is blended into another map of lower contrast. If the logarithms of its albedos are plotted against those
+/// of Sato et al. (2014), the slope falls from 0.9 to 0.35 at 69.5 degrees north and south. To make up for this,
+/// deviations from a row's mean M are amplified:
 ///
 ///     A' = M (A / M)^(1/f)        f = 1 up to 64 degrees, 0.37 from 70 degrees on, linear in between
 algebra::Grid<float> with_polar_contrast(algebra::Grid<float> map);

@@ -2,7 +2,7 @@
 #include "surface/built_in_map.h"
 
 #include <jpeglib.h>
-#include <cstdio>  // jpeglib.h needs FILE
+#include <cstdio>  // defines FILE for jpeglib.h
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@
 namespace coppermoon::surface {
 namespace {
 
-/// Normal albedo for each of the 256 grey values that the map's file may contain.
+/// Normal albedo for each of the 256 grey values in the map's file.
 std::array<float, 256> albedo_of_codes() {
   std::array<float, 256> albedo{};
   for (std::size_t code = 0; code < albedo.size(); ++code)

@@ -33,8 +33,8 @@ Grid<float> grid_of(std::string_view text, double unit) {
   return grid;
 }
 
-/// Smooths a map with a binomial filter of 3 rows by 3 columns, which continues across the seam. At the top and the
-/// bottom the outermost row is repeated.
+/// Smooths a map with a binomial filter of 3 rows by 3 columns. The first and last columns count as neighbours; the
+/// first and last rows are repeated beyond the map's edges.
 Grid<float> smoothed(const Grid<float>& map) {
   const std::size_t rows = map.rows(), columns = map.columns();
   const auto binomial = [](float a, float b, float c) { return (a + 2 * b + c) / 4; };
@@ -50,8 +50,8 @@ Grid<float> smoothed(const Grid<float>& map) {
   return both;
 }
 
-/// Poisson kernel at evenly spaced angles, normalised to a sum of 1. These are the weights with which values on the
-/// unit circle give the harmonic function on a smaller circle.
+/// Poisson kernel at evenly spaced angles, normalised to a sum of 1. With these weights, values on the unit circle are
+/// averaged to give the harmonic function on a smaller circle.
 std::vector<float> poisson_kernel(std::size_t count, double radius) {
   std::vector<float> kernel(count);
   double sum = 0;
@@ -64,8 +64,8 @@ std::vector<float> poisson_kernel(std::size_t count, double radius) {
   return kernel;
 }
 
-/// Fills one row of a polar cap from the last measured row, by the harmonic function in which each wave cos m λ falls
-/// as tan^m(colatitude/2).
+/// Fills one row of a polar cap from the nearest measured row, with a harmonic function: each wave cos m λ along the
+/// row decreases towards the pole as tan^m(colatitude/2).
 void continue_harmonically(Grid<float>& map, std::size_t measured, std::size_t row) {
   const auto half_colatitude = [&](std::size_t r) {
     const std::size_t from_pole = std::min(r, map.rows() - 1 - r);
@@ -82,7 +82,7 @@ void continue_harmonically(Grid<float>& map, std::size_t measured, std::size_t r
   }
 }
 
-/// Extends a map of the middle latitudes to the poles.
+/// Extends a map of the lower latitudes to the poles.
 Grid<float> to_the_poles(const Grid<float>& middle) {
   Grid<float> whole(middle.columns() / 2, middle.columns());
   const std::size_t missing = (whole.rows() - middle.rows()) / 2, last = whole.rows() - missing - 1;
@@ -100,9 +100,9 @@ Grid<float> measured(Grid<float> map) {
   return to_the_poles(map);
 }
 
-/// Subtracts from the maps of colour and surge their means over the disc, weighted by light (A mu f times cell area).
+/// Subtracts their means over the disc from the maps of colour and surge. The weights are A mu f times cell area.
 void subtract_means(Ground& ground, const Grid<float>& normal_albedo, Photometry photometry) {
-  constexpr std::size_t rows = 360;  // of half a degree, finer than either map
+  constexpr std::size_t rows = 360;  // rows of half a degree, finer than either map
   double light = 0, colour = 0, surge = 0;
   for (std::size_t r = 0; r < rows; ++r)
     for (std::size_t c = rows / 2; c < rows + rows / 2; ++c) {

@@ -22,7 +22,7 @@ double phase_curve_lommel_seeliger(double g_deg) {
   return 1 + std::sin(g / 2) * std::tan(g / 2) * std::log(std::tan(g / 4));
 }
 
-/// Phase curve F of the surface (photometry.h). Phases are kept just above 0, so that the logarithm is finite.
+/// Phase curve F of the surface (see photometry.h). Phase angles are kept above 0, so that the logarithm is finite.
 double surface_phase_curve(algebra::Angle phase) {
   const double g_deg = std::clamp(algebra::in_degrees(phase), 1e-9, 97.);
   return disc_reflectance_rolo(g_deg) / phase_curve_lommel_seeliger(g_deg);

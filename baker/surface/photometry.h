@@ -5,8 +5,8 @@
 
 namespace coppermoon::surface {
 
-/// Photometric functions. Each is the ratio f of radiance factor (I/F) to normal albedo. mu0 is the cosine of the angle
-/// between the surface normal and the Sun, mu that between the normal and the viewer; g is the phase.
+/// Photometric functions. Each is the ratio f of radiance factor (I/F) to normal albedo. mu0 and mu are the cosines of
+/// the angles from the surface normal to the Sun and to the viewer; g is the phase angle.
 enum class Photometry {
   /// Yapo & Cutler's function. With it the full Moon does not darken until close to the limb.
   ///
@@ -15,7 +15,7 @@ enum class Photometry {
   /// The numerator is Lambert's cosine, the denominator the paper's correction. The mean over the disc of the full
   /// Moon, 2 times the integral of mu f(mu) over 0 < mu < 1, is 0.92737.
   ///
-  /// Omits     dependence on phase and emission angle: no opposition surge, equal radiance in all directions
+  /// Omits     dependence on phase angle (no opposition surge) and on emission angle (equal radiance in all directions)
   /// Source    Yapo & Cutler (2009), Rendering Lunar Eclipses, Eq. 13
   yapo_cutler,
   /// Lommel-Seeliger law, with the phase curve that reproduces ROLO's measurements of the whole disc:
@@ -30,18 +30,18 @@ enum class Photometry {
   /// 2.32; it is largest, 2 F/F(1.5 deg), at grazing emission. ROLO observed phases from 1.55 to 97 degrees. Below 1.55
   /// degrees the expression is extrapolated, to F(0)/F(1.5 deg) = 1.157; beyond 97 degrees F is constant.
   ///
-  /// Accuracy  for the whole disc 1 % against ROLO's three bands from 1.55 to 10 degrees, and 0.06 magnitudes against
-  ///           Allen's phase law from 10 to 90 degrees. Highlands and maria share one phase curve (surge_slope gives
-  ///           their deviations)
-  /// Omits     local variation of the surge's width; its colour (a few percent); roughness, which matters far from full
-  ///           Moon; the difference of a few percent between the waxing and the waning Moon
+  /// Accuracy  for the whole disc, 1 % compared with ROLO's three bands from 1.55 to 10 degrees, and 0.06 magnitudes
+  ///           compared with Allen's phase law from 10 to 90 degrees. Highlands and maria have the same phase curve
+  ///           (surge_slope gives their deviations)
+  /// Omits     local variation of the surge's width; the surge's colour (a few percent); roughness, which matters far
+  ///           from full Moon; the difference of a few percent between the waxing and the waning Moon
   /// Source    Kieffer & Stone (2005), The spectral irradiance of the Moon, AJ 129, 2887, Table 4;
   ///           Phi: Hapke (2012), Theory of Reflectance and Emittance Spectroscopy
   lommel_seeliger_rolo,
 };
 
-/// Phase at which both photometric functions are 1 at normal incidence, and to which the full Moon's geometric albedo
-/// refers. It is about the smallest phase outside an eclipse.
+/// Phase angle at which both photometric functions are 1 at normal incidence, and for which the full Moon's geometric
+/// albedo is given. It is about the smallest phase angle outside an eclipse.
 inline constexpr algebra::Angle full_moon_phase = algebra::degrees(1.5);
 
 /// Ratio of radiance factor to normal albedo, according to one of the photometric functions.
@@ -66,8 +66,8 @@ CosineLaw cosine_law(Photometry photometry);
 /// Phase factor P of a photometric function, 1 at full Moon.
 double phase_factor(Photometry photometry, algebra::Angle phase);
 
-/// Ratio of radiance factor to normal albedo on the full Moon's disc at a phase of 1.5 degrees, with Sun and viewer
-/// taken to be in the same direction (mu0 = mu). With lommel_seeliger_rolo it is 1 up to the limb.
+/// Ratio of radiance factor to normal albedo on the full Moon's disc, at a phase angle of 1.5 degrees but with Sun and
+/// viewer in the same direction (mu0 = mu). With lommel_seeliger_rolo the ratio is 1 up to the limb.
 double radiance_factor_at_full_moon(Photometry photometry, double cos_incidence);
 
 }  // namespace coppermoon::surface

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t texels_at_once = 256;
 
-/// Sine of the angle by which the Earth's centre must be below the horizon so that no place on Earth sees the ground.
-/// The Earth's radius is up to 0.0181 of its distance; the rest is margin for refraction and neighbouring texels.
+/// Sine of an angle: if the Earth's centre is further than this below a texel's horizon, no place on Earth sees the
+/// texel. It allows for the Earth's radius (up to 0.0181 of its distance), refraction and neighbouring texels.
 double sine_of_the_unseen(std::size_t rows) {
   return 0.04 + 1.5 * std::numbers::pi / static_cast<double>(rows);
 }
@@ -39,7 +39,7 @@ struct Scratch {
   std::vector<float> albedo{}, colour{}, surge{};
 };
 
-/// Everything that all rows of a texture share while it is baked.
+/// Data and settings shared by all rows of a texture while it is baked.
 struct Baking {
   Globe globe;
   const shadow::Lookup& light;
@@ -52,12 +52,12 @@ struct Baking {
 
   std::size_t channels() const { return colour ? light.channels() / 2 : light.channels(); }
 
-  /// Writes one texel's channels from the light at its place and the share that it reflects.
+  /// Writes one texel's channels, given the light at its position and the share of this light that the ground reflects.
   void write(double reflected, std::span<const double> there, std::span<float> texel) const {
     const std::size_t count = texel.size();
     if (quantity == TexelQuantity::luminance)
       for (std::size_t c = 0; c < count; ++c)
-        texel[c] = static_cast<float>(reflected * there[c] + 0.);  // + 0. turns -0 into 0
+        texel[c] = static_cast<float>(reflected * there[c] + 0.);  // adding 0. turns -0 into 0
     else if (quantity == TexelQuantity::irradiance)
       for (std::size_t c = 0; c < count; ++c)
         // FAULT irradiance without the Sun's distance: globe.inverse_square * there => there
@@ -68,7 +68,7 @@ struct Baking {
         texel[c] = static_cast<float>(reflected / globe.inverse_square * there[c] + 0.);
   }
 
-  /// Mixes the light on the reddest and on the bluest ground, according to the colour of the texel's ground.
+  /// Interpolates between the light on the reddest and the bluest ground, by the colour of the texel's ground.
   void mix(std::span<double> there, double bluer) const {
     const std::size_t count = channels();
     const double share = 0.5 + bluer / (2 * surface::strongest_colour);
@@ -85,7 +85,7 @@ struct Baking {
       for (std::size_t c = 0; c < there.size(); ++c) there[c] /= sunlit[c];
   }
 
-  /// Albedo, colour and surge of the ground in a run of texels.
+  /// Albedo, colour and opposition surge of the ground for consecutive texels in a row.
   struct Texels {
     std::span<const float> albedo, colour, surge;
     Texels part(std::size_t first, std::size_t count) const {

@@ -54,8 +54,8 @@ void write_line(Image& sheet, const std::filesystem::path& font, const Line& lin
       buffer);
 }
 
-/// Largest size, up to the usual one, at which a title fits between a sheet's sides, but never too small to read. Empty
-/// text gets the usual size, because OpenImageIO cannot measure it.
+/// Font size of a title: the usual size, or a smaller but still legible one if the title is too wide for the sheet. An
+/// empty title gets the usual size, because OpenImageIO cannot measure it.
 int fitting_size(const Image& sheet, const ContactSheet& of) {
   if (of.title.empty()) return title_size;
   const auto room = static_cast<int>(sheet.width - 2 * SheetGrid::gap);
@@ -68,7 +68,7 @@ int fitting_size(const Image& sheet, const ContactSheet& of) {
   return size;
 }
 
-/// Scales a picture down to the grid's size by averaging linear light. The result is linear.
+/// Scales a picture down to the size of a sheet's pictures by averaging linear light. The result is linear.
 Image thumbnail(Image picture, const SheetGrid& grid) {
   for (float& value : picture.values) value = OIIO::sRGB_to_linear(value);
   Image small(SheetGrid::picture_width, grid.picture_height, picture.channels);

@@ -40,7 +40,7 @@ struct Between {
   }
 };
 
-/// Phase factor, interpolated in sin(g/2), where the phase g is at least the Earth's angular radius.
+/// Phase factor, interpolated in a table over sin(g/2). The phase g counts as at least the Earth's angular radius.
 template <class D, class V = hn::VFromD<D>>
 V phase_factor(D d, const Globe& globe, V cos_phase, V distance_squared, const float* surge) {
   const auto one = hn::Set(d, 1);
@@ -59,8 +59,8 @@ V phase_factor(D d, const Globe& globe, V cos_phase, V distance_squared, const f
   return hn::MulAdd(stronger, between.in(d, globe.surge_factors), mean);
 }
 
-/// Reflected light relative to white ground, for albedo 1. Here s = n·sun and m = n·moon, with n the ground's normal.
-/// In units of its distance from the Moon's centre, the Sun is at √(1 − 2 ρ s + ρ²), the Earth at √(1 + 2 κ m + κ²).
+/// Reflected light for albedo 1, relative to white ground; s = n·sun, m = n·moon, and n is the ground's normal. From
+/// the ground, the Sun is √(1 − 2 ρ s + ρ²) and the Earth √(1 + 2 κ m + κ²) times as far as from the Moon's centre.
 template <class D, class V = hn::VFromD<D>>
 V reflected(D d, const Globe& globe, V s, V m, const float* surge) {
   const auto set = [d](double value) { return hn::Set(d, value); };
@@ -82,7 +82,7 @@ V reflected(D d, const Globe& globe, V s, V m, const float* surge) {
                  phase_factor(d, globe, cos_phase, earth_squared, surge));
 }
 
-/// Lights as many texels as D has lanes, starting with texel i.
+/// Computes the light of as many texels as D has lanes, starting with texel i.
 template <class D>
 bool light_lanes(D d, const Globe& globe, const TexelRow& row, std::size_t i,
                  const LitTexels& lit) {

@@ -47,7 +47,7 @@ struct Layout {
   std::vector<std::string> channels;
 };
 
-/// An image made on demand. The function fills `values` with whole rows, [row][column][channel], from `first_row` on.
+/// Makes an image on demand. The function fills `values` with whole rows, [row][column][channel], from `first_row` on.
 using Rows = std::function<void(std::size_t first_row, std::span<float> values)>;
 
 /// Rows of an existing image, which must outlive the returned function.
@@ -61,7 +61,7 @@ inline Rows rows_of(const Image& image) {
 /// A value in an image file's header.
 using Attribute = std::variant<std::string, float, int, std::vector<float>>;
 
-/// A header's values by name. OpenEXR's standard names have the meaning that OpenEXR defines: `capDate`, `utcOffset`
+/// Values in a file's header, by name. OpenEXR's standard names have OpenEXR's meaning: `capDate`, `utcOffset`
 /// [s], `longitude`, `latitude` [degrees], `altitude` [m], `expTime` [s], `aperture`, `isoSpeed`, `whiteLuminance`
 /// [cd/m²], `chromaticities` (8 numbers), `colorInteropID`, `framesPerSecond` (2 numbers, such as 24000 and 1001),
 /// `owner`, `comments`.

@@ -5,8 +5,8 @@
 
 namespace coppermoon::texture {
 
-/// Loads, in the background, the code that reads and writes images, which takes 0.2 s on one processor. Errors are
-/// reported only when an image is first read or written. Nothing is loaded ahead if the address space is limited.
+/// Loads, in the background, the code for reading and writing images, because loading takes 0.2 s on one processor.
+/// Errors are reported only when an image is first read or written. Nothing is loaded if the address space is limited.
 class ImagesAhead {
  public:
   ImagesAhead();

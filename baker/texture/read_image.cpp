@@ -26,7 +26,7 @@ namespace coppermoon::texture {
 namespace {
 
 namespace fs = std::filesystem;
-/// Calls a function, and turns running out of memory into an Error that names the file.
+/// Calls a function, and if it runs out of memory, throws an Error that names the file.
 template <class Make>
 auto within_memory(const fs::path& path, const OIIO::ImageSpec& spec, Make make) {
   try {
@@ -74,8 +74,8 @@ std::string names_of(const std::vector<std::string>& channels) {
                      channels.size() > most ? ", …" : "");
 }
 
-/// Outside OpenEXR, bands must be grey, or red, green and blue. Alpha may follow; after grey it need not be marked as
-/// alpha. A colour TIFF may have more bands, because its header says that the first three are colours.
+/// Refuses bands other than grey, or red, green and blue, except in OpenEXR. Alpha may follow; after grey, a second
+/// band counts as alpha. A colour TIFF may have more bands, because its header says that the first three are colours.
 void require_bands(const fs::path& path, const OIIO::ImageSpec& spec) {
   constexpr int colours = 2;
   const int bands = spec.nchannels - (spec.alpha_channel >= 0 ? 1 : 0);
@@ -85,8 +85,8 @@ void require_bands(const fs::path& path, const OIIO::ImageSpec& spec) {
       fmt::format("{} bands, and nothing says which of them are colours, allowed up to 3", bands));
 }
 
-/// Indices of the channels that are red, green and blue; all three are the same for grey. Only in OpenEXR do the file's
-/// channel names count; in other formats the order does.
+/// Indices of the red, green and blue channels; all three are the same for grey. In OpenEXR the channels' names decide,
+/// in other formats their order.
 std::array<std::size_t, 3> rgb_channels(const fs::path& path, const OIIO::ImageInput& input) {
   const auto& spec = input.spec();
   if (!is_openexr(input)) require_bands(path, spec);
@@ -104,8 +104,8 @@ std::array<std::size_t, 3> rgb_channels(const fs::path& path, const OIIO::ImageI
   throw cannot_read(path, names_of(channels) + ", allowed R, G and B, or Y alone");
 }
 
-/// Reads everything that a picture shows, several rows at a time. Calls `put` with each texel's place in the picture
-/// and its numbers, but not for places without texels in the file.
+/// Reads the texels within an image's display window, several rows at a time. Calls `put` with each texel's index in
+/// the picture and with its values. Places for which the file has no texels are skipped.
 template <class Put>
 void for_all_texels(OIIO::ImageInput& input, const fs::path& path, const Put& put) {
   const auto windows = windows_of(input);
@@ -137,7 +137,7 @@ float luminance(float red, float green, float blue) {
   return 0.2126F * red + 0.7152F * green + 0.0722F * blue;
 }
 
-/// Converts coded numbers to linear light with a curve, and colours to the luminance of that light.
+/// Converts coded numbers to linear light with a tone curve, and colours to luminance.
 struct FloatingTone {
   using Number = float;
   Curve curve;
@@ -164,7 +164,7 @@ struct ByteTone {
   std::array<float, 256> light{};
 };
 
-/// Converts coded numbers to luminance by the file's own colour profile.
+/// Converts coded numbers to luminance with the file's own colour profile.
 struct ProfiledTone {
   using Number = float;
   const ColourProfile& profile;
@@ -181,7 +181,7 @@ struct ProfiledTone {
   }
 };
 
-/// Finds texels of a map that show no ground: those that are wholly transparent or have GDAL's number for missing data.
+/// Finds texels of a map that show no ground, being fully transparent or having GDAL's number for missing data.
 template <class Number>
 struct Holes {
   int alpha;
@@ -203,7 +203,7 @@ struct Holes {
     return no_data && is_near(texel[channel], *no_data) ? "has no data (GDAL_NODATA)" : nullptr;
   }
 
-  /// Whether two numbers are equal, apart from rounding when one was written as text.
+  /// Whether two numbers are equal, apart from the rounding of one that was written as text.
   static bool is_near(Number a, Number b) {
     if constexpr (std::is_floating_point_v<Number>)
       return std::abs(a - b) <= static_cast<Number>(1e-6) * std::abs(b);
@@ -274,8 +274,8 @@ std::string only_layer_of(const std::vector<std::string>& channels,
   return layers.size() == 1 && !has(names.front()) ? layers.front() : "";
 }
 
-/// Refuses a map in which a few texels outshine all others, because scaling by the mean would darken the others. The
-/// light of the brightest 0.1 % of texels above the 99.9th percentile may be at most 1 % of all light.
+/// Refuses a map in which a few texels outshine all others, because scaling by the map's mean would then darken the
+/// rest. The excess of the brightest 0.1 % of texels over the 99.9th percentile may be at most 1 % of all light.
 void require_no_rogues(const fs::path& path, const algebra::Grid<float>& map) {
   constexpr double share = 0.001, most_light = 0.01;
   const auto values = map.values();
@@ -284,7 +284,7 @@ void require_no_rogues(const fs::path& path, const algebra::Grid<float>& map) {
   for (const float v : values) light += double{v};
   const auto greatest = std::ranges::max_element(values);
   if (double{*greatest} * all * share <= most_light * light)
-    return;  // the usual case, in which sorting a copy is not needed
+    return;  // the usual case; no sorted copy is needed
   std::vector<float> sorted(values.begin(), values.end());
   const auto percentile = sorted.begin() + static_cast<std::ptrdiff_t>((1 - share) * (all - 1));
   std::ranges::nth_element(sorted, percentile);
@@ -354,7 +354,7 @@ Image read_channels(const fs::path& path, const std::vector<std::string>& names)
   });
 }
 
-/// Whether the file's own colours count; they do not if the user states what the numbers mean.
+/// Whether the file's own colour profile is used. It is ignored if the user states what the numbers mean.
 bool heeds_colours(Coding coding) {
   return coding == Coding::as_file_says || coding == Coding::camera;
 }

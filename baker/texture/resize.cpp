@@ -13,7 +13,7 @@ namespace {
 
 using algebra::Grid;
 
-/// The texels in a line that one texel of a shorter line covers, with their weights.
+/// The texels in a row or column of the map that one texel of a smaller map covers, with their weights.
 LineShare covered(std::size_t i, std::size_t size, std::size_t map_size) {
   const double width = static_cast<double>(map_size) / static_cast<double>(size);
   const double from = static_cast<double>(i) * width, to = from + width;
@@ -24,7 +24,7 @@ LineShare covered(std::size_t i, std::size_t size, std::size_t map_size) {
           (std::min(to, static_cast<double>(map_size)) - static_cast<double>(last)) / width};
 }
 
-/// The two texels in a line whose centres are next to the centre of a texel in a longer line, one on either side.
+/// Two neighbours in a row or column of the map. The centre of texel `i` in a larger map lies between their centres.
 LineShare either_side(std::size_t i, std::size_t size, std::size_t map_size, bool closed) {
   const auto n = static_cast<double>(map_size);
   // FAULT a map half a texel aside: (size) - 0.5 => (size)

@@ -9,7 +9,7 @@
 
 namespace coppermoon::texture {
 
-/// Weighted range of neighbouring texels in a line of the map; texels between `first` and `last` have equal weight.
+/// Range of texels in a row or column of the map, with weights. All texels between `first` and `last` weigh the same.
 struct LineShare {
   std::size_t first, last;
   double first_part, last_part;
@@ -19,9 +19,9 @@ struct LineShare {
 /// interpolated bilinearly, as in surface::sampled. At the same size it is the map itself.
 class ResizedRows {
  public:
-  /// Given   map   2:1; must outlive this object
-  ///         rows  2 to 16384; there are twice as many columns
-  /// Throws  Error when rows or the map's shape is outside its range
+  /// Given   map   albedo map, 2:1; must outlive this object
+  ///         rows  number of rows, 2 to 16384; there are twice as many columns
+  /// Throws  Error when `rows` is out of range or the map is not 2:1
   ResizedRows(const algebra::Grid<float>& map, std::size_t rows);
 
   std::size_t rows() const { return rows_; }
@@ -36,7 +36,7 @@ class ResizedRows {
   std::vector<LineShare> columns_;
 };
 
-/// Resizes the whole map.
+/// Resizes a whole albedo map to the given number of rows.
 algebra::Grid<float> resized(const algebra::Grid<float>& map, std::size_t rows);
 
 }  // namespace coppermoon::texture

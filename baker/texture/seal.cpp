@@ -16,7 +16,7 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::size_t seal_digits = 16;
-constexpr std::size_t at_once = 4 << 20;  // bytes; the first block contains the header
+constexpr std::size_t at_once = 4 << 20;  // bytes read at once; the first block contains the header
 
 /// Offset of the fingerprint's digits in a file. OpenEXR writes them after the attribute's name, type and length.
 std::optional<std::size_t> place_of_digits(const files::Handle& file) {
@@ -28,7 +28,7 @@ std::optional<std::size_t> place_of_digits(const files::Handle& file) {
   return found + before.size();
 }
 
-/// Fingerprint of a file, computed as if it were still unsealed.
+/// Fingerprint of a file, computed as if the placeholder `unsealed` were still in its header.
 std::string digits_of(const files::Handle& file, std::size_t place) {
   std::uint64_t at = 0;
   return fmt::format("{:016x}", files::fingerprint_of_pieces([&] {

@@ -11,8 +11,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// Direction of a point given by colatitude and by longitude (from −180° to 180°), both scaled to 0 to 1. The two sides
-/// of the seam coincide.
+/// Direction of a point on the sphere from its colatitude `down` and its longitude `along` (from −180° to 180°), both
+/// scaled to 0 to 1. The two sides of the seam coincide.
 glm::dvec3 direction(double down, double along) {
   const double sine = std::sin(pi * down), turn = 2 * pi * (along < 1 ? along : 0);
   return {-sine * std::sin(turn), std::cos(pi * down), -sine * std::cos(turn)};
@@ -41,7 +41,7 @@ struct Making {
     }
   }
 
-  /// Adds the triangles between each pole and the parallel next to it, and those between parallels.
+  /// Adds the triangles between the poles and the parallels next to them, and those between neighbouring parallels.
   void add_facets() {
     const auto a_row = static_cast<std::uint32_t>(columns) + 1, first = a_row - 1;
     for (std::uint32_t c = 0; c < first; ++c)

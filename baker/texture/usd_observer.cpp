@@ -19,8 +19,8 @@ std::string tuple(const glm::dvec3& v) {
   return fmt::format("({:.9g}, {:.9g}, {:.9g})", v.x + 0., v.y + 0., v.z + 0.);
 }
 
-/// A USD attribute with its value at the first moment, and with time samples if it changes. The value is for importers
-/// that ignore samples, as Blender's does for the file of a texture.
+/// A USD attribute, as text, with its value at the first moment and, if the value changes, with time samples. The first
+/// value is for importers that ignore time samples, as Blender does for the file of a texture.
 template <class Moment, class Value>
 std::string attribute(const std::string& declared, std::span<const Moment> moments,
                       const Value& value) {
@@ -48,7 +48,7 @@ std::string looking(const glm::dvec3& along, const glm::dvec3& up, const glm::dv
   return transform(glm::cross(along, up), up, -along, position);
 }
 
-constexpr double aperture = 36;  ///< width of the picture, which USD counts in tenths of a unit
+constexpr double aperture = 36;  ///< width of the camera's picture, in tenths of a scene unit (USD)
 
 }  // namespace
 
@@ -95,7 +95,7 @@ std::string usd_sky(std::span<const UsdSky> skies) {
       "        token inputs:texture:format = \"latlong\"\n";
   text += attribute("asset inputs:texture:file", skies,
                     [](const UsdSky& sky) { return usd_asset(sky.file); });
-  // In USD, +Z is in the middle of the texture, and -X at three quarters of its width.
+  // In USD, +Z is in the middle of a dome light's picture, and -X at three quarters of the picture's width.
   text += attribute("matrix4d xformOp:transform", skies, [](const UsdSky& sky) {
     return transform(-glm::cross(sky.north, sky.zenith), sky.zenith, sky.north, {0, 0, 0});
   });

@@ -65,7 +65,7 @@ class TiffFile {
     if (!done) throw Error(words_.empty() ? "no room" : words_);
   }
 
-  /// Writes what libtiff still holds in memory.
+  /// Writes the data that libtiff still holds in memory, and closes the file.
   void close() {
     require(TIFFFlush(file_.get()) == 1);
     file_.reset();
@@ -140,11 +140,11 @@ void set_camera(TiffFile& file, const RawPhotograph& photograph) {
 
 /// Writes the directory of EXIF tags.
 ///
-/// Returned  its offset in the file
+/// Returned  the directory's offset in the file
 std::uint64_t exif_directory(TiffFile& file, const RawPhotograph& photograph,
                              const Attributes& attributes) {
   constexpr std::array<std::uint8_t, 4> version{'0', '2', '3', '1'};
-  constexpr double most = 65535;  // largest speed in 16 bits; the index below holds more
+  constexpr double most = 65535;  // largest ISO speed that this 16-bit tag can hold
   constexpr int recommended_index = 2;
   file.require(TIFFCreateEXIFDirectory(file.get()) == 0);
   file.set(EXIFTAG_EXIFVERSION, version.data());

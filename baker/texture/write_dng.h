@@ -14,13 +14,13 @@ namespace coppermoon::texture {
 
 /// Raw numbers from a sensor under a mosaic of colour filters.
 struct RawPhotograph {
-  /// [DN], including the black level. Red and green alternate in even rows, green and blue in odd rows.
+  /// Raw numbers [DN], including the black level. Red and green alternate in even rows, green and blue in odd rows.
   algebra::Grid<std::uint16_t> numbers;
-  double black_dn = 0, white_dn = 65535;  ///< number without light, and number at saturation
+  double black_dn = 0, white_dn = 65535;  ///< raw numbers without light and at saturation
   glm::dmat3 camera_from_xyz{
-      1};  ///< from XYZ (D65 white has Y = 1) to numbers above black, which are 1 at saturation
-  std::string camera;          ///< name of the camera
-  double focal_length_mm = 0;  ///< more than 0
+      1};  ///< from XYZ (D65 white has Y = 1) to raw numbers above black, as shares of saturation
+  std::string camera;          ///< model name of the camera
+  double focal_length_mm = 0;  ///< above 0
 };
 
 /// Writes a raw photograph to an uncompressed DNG file (1.4), whole or not at all. Raw converters read it like a file
@@ -28,8 +28,7 @@ struct RawPhotograph {
 ///
 /// Given   attributes  `capDate`, `expTime`, `aperture` and `isoSpeed` are written as EXIF; others are left out
 /// Throws  Error       when there are no pixels; when white is not above black, or either is outside 0 to 65535; when
-///                     the matrix gives a channel of white a number that is not above 0; when the file cannot be
-///                     written
+///                     the matrix turns white into a channel that is not above 0; when the file cannot be written
 /// Source  Adobe, Digital Negative (DNG) Specification 1.4.0.0 (2012); CIPA DC-008 (Exif 2.31)
 void write_dng(const std::filesystem::path& path, const RawPhotograph& photograph,
                const Attributes& attributes = {});

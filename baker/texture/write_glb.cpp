@@ -80,7 +80,7 @@ json accessor(int view, Component component, std::size_t count, const char* type
   return {{"bufferView", view}, {"componentType", component}, {"count", count}, {"type", type}};
 }
 
-/// Adds the sphere's points (which are also its normals), texture coordinates and triangles; returns their accessors.
+/// Adds the sphere's points (which are also its normals), texture coordinates and triangles. Returns their accessors.
 json add_sphere(Buffer& buffer) {
   const auto mesh = sphere_mesh();
   std::string points, places, triangles;
@@ -115,7 +115,7 @@ json only(json item) {
   return list;
 }
 
-/// glTF material that shows a picture as it is. If a luminance [cd/m²] is given, the material is black and emits the
+/// glTF material that shows a picture as it is. If a luminance [cd/m²] is given, the ground is black and emits the
 /// picture times that luminance.
 json material(std::optional<double> luminance) {
   const json picture{{"index", 0}};

@@ -48,7 +48,7 @@ void require_format(const std::filesystem::path& path, const Layout& layout,
                             layout.channels.size()));
 }
 
-/// Sets date and exposure as EXIF attributes, and no others.
+/// Sets the date and the exposure as EXIF attributes; no other attributes are set.
 void set_exposure(OIIO::ImageSpec& spec, const Attributes& attributes) {
   spec.attribute("DateTime", "");  // otherwise OpenImageIO writes the current time
   for (const auto& name : {"capDate", "expTime", "aperture"})
@@ -83,7 +83,7 @@ void write_exr(const std::filesystem::path& path, std::span<const Part> parts,
     for (const auto& name : part.left_out) specs.back().erase_attribute(oiio_name(name));
     for (const auto& [name, value] : part.own) set_attribute(specs.back(), name, value);
     if (!part.name.empty()) specs.back().attribute("oiio:subimagename", part.name);
-    if (specs.size() > 1) specs.back().erase_attribute(seal_attribute);  // one seal for all parts
+    if (specs.size() > 1) specs.back().erase_attribute(seal_attribute);  // one fingerprint per file
   }
   write_encoded(path, "openexr", [&](OIIO::ImageOutput& output, const std::string& name) {
     bool written = specs.size() == 1
@@ -112,15 +112,15 @@ void write_picture(const std::filesystem::path& path, const Layout& layout, cons
       spec_of(layout, format.bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16, {});
   if (is_png(format)) {
     for (const auto& [name, value] : attributes)
-      if (name != "colorInteropID") spec.attribute(oiio_name(name), as_text(value));  // sRGB now
-    // This compression takes a third of the usual time for 8 % more bytes. Each row is stored as differences from the
-    // row above.
+      if (name != "colorInteropID") spec.attribute(oiio_name(name), as_text(value));  // PNG is sRGB
+    // Compression level 4 takes a third of the usual time for 8 % more bytes. Filter 0x20 stores each row as
+    // differences from the row above.
     spec.attribute("png:compressionLevel", 4);
     spec.attribute("png:filter", 0x20);
   } else {
     set_exposure(spec, attributes);
     if (const float time_s = spec.get_float_attribute("ExposureTime"); time_s > 0 && time_s < 1)
-      // OpenImageIO 2.4 writes 1/2, 1/4 and so on as a fraction without a denominator, so the number is made inexact.
+      // OpenImageIO 2.4 writes 1/2, 1/4 etc. as fractions without a denominator, so the time is made slightly longer.
       spec.attribute("ExposureTime", std::nextafter(time_s, 1.F));
     spec.attribute("compression", "jpeg:95");
     spec.attribute("jpeg:subsampling", "4:4:4");
@@ -138,7 +138,7 @@ void write_png(const std::filesystem::path& path, const Image& image, int bits,
   const PictureFormat format{"png", bits};
   require_format(path, layout, format);
   const auto rows = rows_of(image);
-  Source{path, layout, rows, {0, 1}}.require_all(image.values);  // before the file is created
+  Source{path, layout, rows, {0, 1}}.require_all(image.values);  // check before creating the file
   write_picture(path, layout, rows, format, attributes);
 }
 

@@ -48,7 +48,7 @@ void main() {
 
 std::string script_of(const StellariumSight& sight) {
   auto utc = almanac::utc_text(sight.when);
-  utc.pop_back();  // removes the Z
+  utc.pop_back();  // removes the final Z
   const auto& at = sight.observer;
   return fmt::format(R"(// The eclipsed Moon of coppermoon. Its light is that of this moment alone.
 core.setObserverLocation({:.6f}, {:.6f}, {:.0f}, 0, "coppermoon", "Earth");

@@ -9,8 +9,8 @@
 
 namespace coppermoon::texture {
 
-/// Path of the picture in Stellarium's folder. The file is a PNG that includes the recipe. Stellarium looks for this
-/// name, but recognises the format by the contents.
+/// Path of the Moon's picture in Stellarium's folder. The file is a PNG that includes the recipe. Stellarium expects
+/// this name, but recognises the format from the contents.
 inline constexpr const char* stellarium_picture = "textures/moon_4k.jpg";
 
 /// Moment and place with which Stellarium starts.
@@ -19,7 +19,7 @@ struct StellariumSight {
   almanac::Observer observer;
 };
 
-/// Refuses a folder if writing there would overwrite a link, a file that coppermoon did not write, or one that was
+/// Refuses a folder if writing there would overwrite a link, a file that coppermoon did not write, or a file that was
 /// changed since, or if a link stands in place of a subfolder. The folder need not exist.
 ///
 /// Throws  Error
@@ -31,7 +31,7 @@ void require_stellarium_place(const std::filesystem::path& folder);
 ///
 ///     textures/moon_4k.jpg      the picture, with 8 bits
 ///     data/shaders/planet.frag  draws the Moon with the light in its texture, and other bodies lit by the Sun
-///     scripts/startup.ssc       instant, place and view
+///     scripts/startup.ssc       sets the instant, place and view
 ///
 /// Each file is written whole or not at all. Other files in the folder stay, including Stellarium's own. If writing
 /// fails, the folder is removed, unless it existed before.
@@ -39,7 +39,7 @@ void require_stellarium_place(const std::filesystem::path& folder);
 /// Given     developed   display-referred: sRGB-coded, 0 to 1, grey or RGB; plate carrée, longitude 0 in the middle,
 ///                       north up, 2:1
 ///           attributes  written into the picture as text, including "coppermoon:recipe"
-/// Accuracy  half a second for the instant
+/// Accuracy  half a second in the instant
 /// Omits     other planets' polar caps, and shadows of rings and satellites on them
 /// Throws    Error       as for write_png and require_stellarium_place; when a folder cannot be made
 /// Source    Stellarium 0.22.2 (Debian 12): data/shaders/planet.vert, data/ssystem_major.ini, its scripting engine

@@ -13,11 +13,11 @@ namespace coppermoon::texture {
 /// the Moon's true radius [m].
 ///
 /// Given   texture_file_name  name of a file in the same folder; not a path
-///         colour_space       the texture's, lin_rec709_scene or lin_ap1_scene
+///         colour_space       colour space of the texture, lin_rec709_scene or lin_ap1_scene
 ///         preview_file_name  texture in linear Rec.709 in the same folder, for the preview surface, which does not
 ///                            support colour spaces. If empty, texture_file_name is used for it, too, which is right
 ///                            for lin_rec709_scene
-///         observer           prims from usd_observer, to be put within Moon; may be empty
+///         observer           text of prims from usd_observer, to be put inside the prim Moon; may be empty
 /// Throws  Error              for any other colour space; when a file name is a path, is empty, or has control
 ///                            characters; when the file cannot be written
 /// Source  OpenUSD: UsdGeomMesh, UsdPreviewSurface 2.6, GfColorSpaceNames; MaterialX 1.38

@@ -24,7 +24,7 @@ void append(std::string& bytes, Number number) {
   bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
-/// A ZIP archive of uncompressed files, the contents of each starting at a multiple of 64 bytes.
+/// A ZIP archive of uncompressed files. The contents of each file start at a multiple of 64 bytes.
 class Archive {
  public:
   void add(const std::string& name, const std::string& content) {
@@ -37,7 +37,7 @@ class Archive {
     bytes_ += shared;
     append<std::uint16_t>(bytes_, extra_head + padding);
     bytes_ += name;
-    append<std::uint16_t>(bytes_, 0x1986);  // identifier of the padding field in USD's own writer
+    append<std::uint16_t>(bytes_, 0x1986);  // identifier that USD's own writer uses for padding
     append<std::uint16_t>(bytes_, padding);
     bytes_.append(padding, '\0');
     bytes_ += content;
@@ -67,9 +67,9 @@ class Archive {
   }
 
  private:
-  static constexpr std::uint16_t version = 10, first_day_of_zip = 0x0021;  // first day: 1980-01-01
+  static constexpr std::uint16_t version = 10, first_day_of_zip = 0x0021;  // stands for 1980-01-01
 
-  /// The fields, up to the length of the file's name, that are the same in a file's header and in its directory entry.
+  /// Fields that are equal in a file's header and in its directory entry: those up to the length of the file's name.
   static std::string facts_of(const std::string& name, const std::string& content) {
     const auto size = static_cast<std::uint32_t>(content.size());
     const auto sum = ::crc32_z(0, reinterpret_cast<const Bytef*>(content.data()), content.size());

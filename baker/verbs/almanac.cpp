@@ -61,10 +61,10 @@ void describe(Field&& is, const Crossing& crossing) {
 /// An eclipse in the printed list, with the optional results that the user requested.
 struct Listed {
   eclipse::Eclipse eclipse;
-  std::optional<uses::MoonBrightness> brightness{};  ///< at greatest eclipse
+  std::optional<uses::MoonBrightness> brightness{};  ///< the Moon's brightness at greatest eclipse
   std::optional<Crossing> feature{};
-  std::optional<uses::Circumstances> night{};  ///< as seen from the observer's place
-  std::optional<std::string> seen{};           ///< first and last contact seen from there
+  std::optional<uses::Circumstances> night{};  ///< circumstances at the observer's place
+  std::optional<std::string> seen{};           ///< first and last contact visible to the observer
 };
 
 template <class Field>
@@ -163,13 +163,13 @@ void print(const Listed& listed, std::size_t width) {
 }
 
 void print(const EclipseList& list, bool brightness) {
-  std::size_t width = 21;  // room for a date without a sign, and a space
+  std::size_t width = 21;  // characters in a date and time with an unsigned year, plus a space
   for (const auto& each : list.eclipses) width = std::max(width, greatest(each).size() + 1);
   print_heading(list, brightness, width);
   for (const auto& each : list.eclipses) print(each, width);
 }
 
-/// First and last moment of the span of time that the list covers.
+/// First and last moment of the time span that the list covers.
 std::pair<std::string, std::string> span_of(const Options& options) {
   if (options.year) {
     algebra::require_within("year", *options.year, -1999, 3000);

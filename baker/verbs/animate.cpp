@@ -87,7 +87,7 @@ void light_up(uses::Film& film, bool replace, const FilmProgress& progress) {
                  std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
-/// Traces the photons of one shard of the film's light.
+/// Traces the photons of one shard, which is one run's share of the photons that light the film.
 void trace(const uses::Film& film, const uses::Shard& shard) {
   ProgressBar bar("light");
   trace_shard(film, shard, bar.progress());
@@ -104,7 +104,7 @@ void write_job(const Verb& verb, const uses::Film& film, const uses::Shard& shar
   files::write_whole(file, film_job(verb, film, file));
 }
 
-/// Warns on stderr if a fixed camera cuts off or misses the Moon in some frames, and suggests a better aim and field.
+/// Warns on stderr if a fixed camera cuts off or misses the Moon in some frames. Suggests an aim and a field of view.
 void say_which_are_outside(const uses::Film& film) {
   if (!film.view.aim || !film.products.framed()) return;
   const auto view = fixed_view(film);
@@ -131,7 +131,7 @@ void say_when_seen(const uses::Film& film) {
   }
 }
 
-/// Lists the files that this run would write. If the light has not been computed yet, no frame counts as made.
+/// Lists the files that this run would write. If the film's light has not been computed yet, these include all frames.
 void list(uses::Film film, const std::vector<std::size_t>& frames, const uses::FilmFiles& files,
           bool replace, FilmProgress& progress) {
   if (!replace && std::filesystem::is_directory(film.folder)) require_own(film, false);

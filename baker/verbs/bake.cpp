@@ -41,10 +41,10 @@ namespace {
 struct Options {
   MoonOptions moon;
   uses::TextureContent texture;
-  uses::ViewRequest view;  ///< of which only the observer and the air above are used
+  uses::ViewRequest view;  ///< only its observer and the air above the observer are used
   uses::Development develop;
   std::vector<std::string> outputs;
-  std::string cache;  ///< folder in which textures are kept; empty if not used
+  std::string cache;  ///< folder for cached textures; if empty, no cache is used
   bool json = false;
 };
 
@@ -64,7 +64,7 @@ struct Output {
 
   bool ends_in(const char* ending) const { return format.ending == ending; }
   bool for_stellarium() const { return ends_in(".stellarium"); }
-  /// Whether the file is a glTF sphere in cd/m², which is chosen by a name such as moon_lin_rec709.glb.
+  /// Whether the file is a glTF sphere with light in cd/m². A name such as moon_lin_rec709.glb selects this.
   bool in_cd_m2() const {
     return ends_in(".glb") &&
            colour::space_in_name(path.stem().string()) == colour::WorkingSpace::linear_rec709;
@@ -174,7 +174,7 @@ Output output_at(const std::string& file, const uses::TextureContent& asked) {
   return output;
 }
 
-/// The .exr output with a given colour space in the folder of a .usda; the end of `outputs` if there is none.
+/// The .exr output with the given colour space in the same folder as a .usda; if there is none, the end of `outputs`.
 std::vector<Output>::const_iterator texture_for(const Output& scene, colour::WorkingSpace space,
                                                 const std::vector<Output>& outputs) {
   return std::ranges::find_if(outputs, [&](const Output& output) {
@@ -183,10 +183,10 @@ std::vector<Output>::const_iterator texture_for(const Output& scene, colour::Wor
   });
 }
 
-/// Adds the .exr outputs that a .usda needs but the user did not name. It needs one in linear Rec.709, because its
+/// Adds the .exr outputs that a .usda needs but the user did not name. A .usda needs one in linear Rec.709, because its
 /// preview surface knows no other colour space, and one in ACEScg if that is the requested space.
 ///
-/// Throws  Error  if one of them would overwrite a file that coppermoon did not make
+/// Throws  Error  if an added output would overwrite a file that coppermoon did not make
 void add_textures_of_usd(const Options& options, std::vector<Output>& outputs) {
   const auto named = outputs;
   for (const auto& scene : named) {
@@ -204,16 +204,16 @@ void add_textures_of_usd(const Options& options, std::vector<Output>& outputs) {
   }
 }
 
-/// Memory needed to write a file [bytes]. A mip-map needs it for its smaller levels, and a sphere for the picture and
-/// its PNG. Measured at 8192 columns, these take 0.7 and 2.1 times the size of all texels as floats. Other formats are
-/// written row by row and need none.
+/// Memory needed to write a file [bytes]. Measured at 8192 columns, the smaller levels of a mip-map need 0.7 times the
+/// size of all texels as floats, and a sphere needs 2.1 times that size for its picture and PNG. The estimate is a
+/// little higher. Other formats are written row by row and need none.
 double memory_for(const Output& output, double texture_width) {
   constexpr double a_texel = 3 * sizeof(float);
   const double all = a_texel * texture_width * texture_width / 2;
   return output.format.on_globe ? 2.5 * all : output.ends_in(".tx") ? 0.75 * all : 0;
 }
 
-/// Throws if an output cannot be written at its path. If a file exists there, it will be replaced.
+/// Throws if an output cannot be written at its path. A file that exists there is allowed, because it will be replaced.
 void require_place_for(const Output& output) {
   const bool folder = std::filesystem::is_directory(output.path);
   if (output.for_stellarium() && folder) return texture::require_stellarium_place(output.path);
@@ -244,7 +244,7 @@ void require_sound(const Options& options, const std::vector<Output>& outputs) {
     throw algebra::Error("passes and spectra need an output that ends in .exr");
 }
 
-/// Recipe to record in one output. It has that output's colour space, and lacks passes or spectra if the output does.
+/// Recipe to record in one output: with that output's colour space, without passes and spectra that the output lacks.
 request::Recipe recipe_for(const uses::TextureContent& content, const request::Recipe& recipe) {
   auto own = with({{.name = "space",
                     .texts = {fmt::format("\"{}\"", colour::name(space_of(content)))},
@@ -309,7 +309,7 @@ Report make(const Verb& verb, const Options& options, const std::vector<Output>&
   return made;
 }
 
-/// Output for the cached texture of these options. Its file name is a fingerprint of all that the texture depends on.
+/// Output that stores the texture for these options in the cache. Its file name is a fingerprint of all inputs.
 Output place_in_cache(const Verb& verb, const Options& options) {
   const auto depends_on = fmt::format("{}\n{}\n{}", uses::version(), recipe_of(verb),
                                       map_contents(moon_request(options.moon)));
@@ -321,19 +321,19 @@ Output place_in_cache(const Verb& verb, const Options& options) {
           content, formats[1]};
 }
 
-/// Whether a texture in the cache exists, is complete, and does not belong to another user.
+/// Whether a texture exists in the cache, is complete, and does not belong to another user.
 bool is_kept(const std::filesystem::path& texture) {
   return files::is_users_own(texture) && texture::is_sealed(texture);
 }
 
 /// Prints the path of the cached texture for these options, after baking it if it is missing. If several processes need
-/// the same texture, the first one bakes it and the others wait. The map is read before the texture's file is locked,
-/// because reading it may bake another texture in the same folder.
+/// the same texture, the first one bakes it and the others wait. The Moon's map is read before the texture's file is
+/// locked, because reading the map may bake another texture in the same folder.
 void run_with_cache(const Verb& verb, const Options& options) {
   require_sound(options.texture);
   files::make_private_folder(options.cache);
   std::optional<double>
-      limit_gb;  // only for the usual cache, because scenes may rely on textures in other folders
+      limit_gb;  // set for the usual cache only, as scenes may rely on textures in other folders
   if (files::is_usual_cache(options.cache)) limit_gb = cache_limit_gb();
   const auto output = place_in_cache(verb, options);
   if (!is_kept(output.path)) {
@@ -342,7 +342,7 @@ void run_with_cache(const Verb& verb, const Options& options) {
                  output.path.string());
     });
     if (!is_kept(output.path)) {
-      std::filesystem::remove(output.path);  // otherwise writing would follow a link
+      std::filesystem::remove(output.path);  // so that writing does not follow a link
       make(verb, options, {output});
     }
   }
@@ -385,7 +385,7 @@ void add_bake(Program& program) {
       "folder of textures: the texture is baked into it as .tx, unless it is there already, and "
       "its path is printed")
       .writes_folder()
-      .excludes("shard")  // these three flags change what is traced and written
+      .excludes("shard")  // --shard, --keep and --add change what is traced and written
       .excludes("keep")
       .excludes("add");
   add_described(verb, options->view, uses::describe_observer);

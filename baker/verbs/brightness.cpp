@@ -29,8 +29,8 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
   MoonOptions moon;
-  uses::ViewRequest view;  ///< of which only the observer and the air above are used
-  std::string from, to;    ///< span of a light curve; for one moment, both are empty
+  uses::ViewRequest view;  ///< only its observer and the air above the observer are used
+  std::string from, to;    ///< first and last moment of a light curve; both empty for one moment
   double step_min = 5;
   std::vector<std::string> outputs;
   bool json = false, csv = false;
@@ -38,7 +38,7 @@ struct Options {
   bool over_time() const { return !from.empty() || !to.empty(); }
 };
 
-/// A row of the table for one moment. It shows the Moon as it is above the air or, if `seen` is set, from a place.
+/// The Moon's brightness at one moment, as a row of a table: seen from a place if `seen` is set, else above the air.
 struct Row {
   const uses::MoonBrightness& moon;
   const uses::BrightnessSeen* seen;

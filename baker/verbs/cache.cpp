@@ -35,7 +35,7 @@ double days_since(std::filesystem::file_time_type then) {
   return std::chrono::duration<double, std::ratio<86400>>(past).count();
 }
 
-/// The moment that a texture shows, in UTC, read from DateTime in its header; empty if it cannot be read.
+/// The moment that a texture shows, in UTC, from DateTime in its header; empty if DateTime cannot be read.
 std::string moment_of(const KeptFile& file) {
   try {
     auto text = texture::read_attribute(file.path, "DateTime").value_or("");
@@ -74,7 +74,7 @@ void describe(Field&& is, const Texture& texture) {
 struct Folder {
   std::string path;
   std::vector<Texture> textures;
-  std::optional<double> limit_bytes;  ///< absent after a removal
+  std::optional<double> limit_bytes;  ///< largest allowed size of the cache; absent after a removal
 
   double bytes() const {
     double sum = 0;

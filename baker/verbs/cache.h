@@ -11,8 +11,8 @@ namespace coppermoon::verbs {
 /// Throws  Error  if the variable is not a number of 0 or more
 double cache_limit_gb();
 
-/// The time one day ago. Textures used since then are kept even if the cache is too large, because an open scene may
-/// still show them.
+/// The time one day ago. Textures used within the last day are kept even if the cache is too large, because an open
+/// scene may still show them.
 std::filesystem::file_time_type a_day_ago();
 
 }  // namespace coppermoon::verbs

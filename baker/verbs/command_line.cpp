@@ -46,7 +46,7 @@ struct Line {
     const auto known = std::ranges::find(typed, &parameter, &Typed::parameter);
     return (known == typed.end() ? typed.emplace_back(Typed{&parameter, {}}) : *known).texts;
   }
-  /// Takes the next value. A day with a contact or time after it, as in "2018-07-27 U2+10min", is a single value.
+  /// Takes the next value. A day followed by a contact or time, as in "2018-07-27 U2+10min", is a single value.
   std::string value() {
     auto value = words[next++];
     if (!at_end() && eclipse::is_day(value) && eclipse::is_contact_or_time(words[next]))
@@ -97,7 +97,7 @@ void read_flag(Line& line) {
   if (parameter == nullptr) throw unknown(line.verb, flag);
   auto& texts = line.texts_of(*parameter);
   const bool has_sign = end < word.size() && word[end] == '=';
-  if (has_sign && end + 1 == word.size())  // or the next word would become the value
+  if (has_sign && end + 1 == word.size())  // otherwise the next word would become the value
     throw WrongUsage(fmt::format("{}: a value is missing behind the =", flag));
   if (end < word.size()) return texts.push_back(word.substr(has_sign ? end + 1 : end));
   if (parameter->kind == Kind::presence) return texts.push_back("true");
@@ -108,7 +108,7 @@ void read_flag(Line& line) {
     texts.push_back(line.value());
 }
 
-/// Reads a value that stands alone, for a parameter whose flag may be left out, such as --instant.
+/// Reads a value without a flag before it. It is for a parameter whose flag may be left out, such as --instant.
 void read_positional(Line& line) {
   auto value = line.value();
   for (auto& parameter : line.verb.parameters)
@@ -131,7 +131,7 @@ Line line_of(Verb& verb, const Words& words) {
   return line;
 }
 
-/// If the command line names a file made by coppermoon where a moment is expected, uses the file as --recipe.
+/// If the command line names a file made by coppermoon where a moment is expected, uses that file as the recipe.
 void find_recipe(Line& line) {
   auto* recipe = line.verb.parameters.find("recipe");
   if (recipe == nullptr) return;
@@ -154,7 +154,7 @@ void take(const Typed& typed) {
   }
 }
 
-/// Whether a command line asks for help. If it does, its help flags are set, and no others.
+/// Whether a command line asks for help. If it does, sets the parameters of the help flags, but of no other flags.
 bool asks_for_help(const Line& line) {
   bool help = false;
   for (const auto& one : line.typed)
@@ -162,7 +162,7 @@ bool asks_for_help(const Line& line) {
   return help;
 }
 
-/// Error message for a required parameter that is missing. A missing moment has the name that help shows, INSTANT.
+/// Error message for a required parameter that is missing. A missing moment is called INSTANT, as in the help.
 std::string missing(const std::string& name) {
   if (name == "instant") return "INSTANT: missing; a moment is needed, as 2026-03-03";
   if (name == "eclipse") return "ECLIPSE: missing; a day is needed, as 2026-03-03";

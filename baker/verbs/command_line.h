@@ -45,18 +45,18 @@ struct Asked {
 /// too. The recipe is the file that --recipe names, or a file made by coppermoon that is named in place of the instant.
 ///
 /// Given   words  the command line without the program's name
-/// Throws  WrongUsage      for an unknown command, option or word, with the nearest known one; for an argument that is
-///                         not UTF-8, because neither a recipe nor JSON could hold it
+/// Throws  WrongUsage      for an unknown command, option or word (the message suggests the nearest known one); for an
+///                         argument that is not UTF-8, because neither a recipe nor JSON could hold it
 ///         algebra::Error  for a value that is not allowed, or a recipe that cannot be read
 Asked asked_by(Program& program, std::vector<std::string> words);
 
 /// Sets a command's parameters from the words that follow its name on the command line.
 ///
-/// Throws  as asked_by
+/// Throws  the same errors as asked_by
 void take(Verb& verb, const std::vector<std::string>& words);
 
 /// Runs a command whose parameters are set, after checking that none of its files would overwrite another
-/// (require_files_apart). Reports on stderr how ambiguous values are understood.
+/// (require_files_apart). Reports on stderr how ambiguous values are interpreted.
 void run(Verb& verb);
 
 }  // namespace coppermoon::verbs

@@ -41,13 +41,13 @@ namespace {
 struct Options {
   std::string photo, render, output, recipe_in;
   texture::Coding coding = texture::Coding::as_file_says;
-  std::string exposure;  ///< "exif" or "fit"; if empty, "exif" where possible
+  std::string exposure;  ///< "exif" or "fit"; if empty, "exif" if possible, else "fit"
   std::size_t bins = 12;
   std::optional<std::string> response;
   bool json = false, csv = false;
 };
 
-/// The options of `still` that determine a frame's moment, observer and camera.
+/// The options of the command `still` that determine a frame's moment, observer and camera.
 struct StillFlags {
   MoonOptions moon;
   uses::ViewRequest view;
@@ -66,8 +66,8 @@ StillFlags still_flags_of(const std::string& file) {
   return flags;
 }
 
-/// Sky and camera of a frame, the glow that the camera adds around bright parts of a picture, and the response through
-/// which its light was seen.
+/// Sky and camera of a frame, the glow that the camera adds around bright areas, and the camera response with which the
+/// frame was rendered.
 struct FrameGeometry {
   almanac::SkyState sky;
   povray_scenes::SceneCamera camera;
@@ -75,7 +75,7 @@ struct FrameGeometry {
   std::optional<std::string> response = {};
 };
 
-/// Geometry of a frame, from the recipe in the header of the frame itself or of its scene's texture.
+/// Geometry of a frame, read from the recipe in the frame's own header or in the header of its scene's texture.
 FrameGeometry geometry_of(const std::string& file) {
   if (!holds_recipe(file))
     throw algebra::Error(
@@ -125,7 +125,7 @@ void describe(Field&& is, const Placed& placed) {
   is("correlation", placed.registration.correlation, "correlation of markings, -1 to 1");
 }
 
-/// Exposure of the photograph: from its header, as used, and as fitted.
+/// Exposures of the photograph: the one in its header, the one used, and the one fitted.
 struct Exposed {
   std::optional<colour::Exposure> exif;
   double used = 1, fitted = 1;
@@ -150,7 +150,7 @@ void describe(Field&& is, const Exposed& exposed) {
   is("iso", of_header(&colour::Exposure::iso), "ISO speed by the header");
 }
 
-/// Gains of red and blue with which a camera wrote a photograph.
+/// White-balance gains for red and blue that a camera applied to a photograph.
 struct WhiteBalance {
   glm::dvec3 fitted{1};
   std::optional<glm::dvec3> as_shot = {};
@@ -170,13 +170,13 @@ void describe(Field&& is, const WhiteBalance& balance) {
   is("as_shot_blue", as_shot(2), "factor of blue by the maker's notes");
 }
 
-/// The comparison, and how the photograph was read.
+/// Result of the comparison, and how the photograph was exposed and decoded.
 struct Found {
   almanac::Instant when;
   std::optional<colour::Exposure> exif;
   texture::Coding coding = texture::Coding::as_file_says;  ///< how the photograph was decoded
   uses::Comparison comparison;
-  std::optional<WhiteBalance> balance = {};  ///< of a photograph that its camera wrote
+  std::optional<WhiteBalance> balance = {};  ///< set if the camera itself wrote the photograph
 
   Exposed exposed() const { return {exif, comparison.exposure, comparison.fitted_exposure}; }
 };
@@ -323,7 +323,7 @@ void run(const Options& options) {
   Found found{sky.when, exif, coding,
               uses::compared(photo, frame, sky, camera, {exif, colours, glow, options.bins})};
   if (colours) {
-    // they are 1 without maker's notes, and where the response does not tell the camera's channels
+    // gains are 1 if the photograph has no maker's notes, or if the response does not describe the camera's channels
     const bool told = colours->gains != glm::dvec3(1);
     found.balance = {found.comparison.writing->colours.gains,
                      told ? std::optional(colours->gains) : std::nullopt};

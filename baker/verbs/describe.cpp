@@ -92,7 +92,7 @@ Json as_json(const Verb& verb) {
   return json;
 }
 
-/// Values that a parameter allows, such as "0 to 1000 DU" or "on, off". If any are allowed, the kind of value.
+/// Values that a parameter allows, such as "0 to 1000 DU" or "on, off", or else their kind, such as "number".
 std::string allowed(const Parameter& parameter) {
   const auto unit = unit_of(parameter);
   const auto values =

@@ -35,7 +35,7 @@ struct Options {
   bool json = false;
 };
 
-/// Colour space of a frame, taken from --space, else from its header, else from its file name; else linear Rec.709.
+/// Colour space of a frame, from --space, the frame's header or its file name, in this order; else linear Rec.709.
 colour::WorkingSpace space_of(const Options& options, const std::string& frame) {
   if (!options.space.empty()) return colour::working_space(options.space);
   if (const auto name = texture::read_attribute(frame, "coppermoon:colour_space"))
@@ -61,7 +61,7 @@ struct Job {
   uses::SeenFrame seen;
 };
 
-/// The light of a frame, to which the sky's light has been added.
+/// The light of a frame, including the sky's light, and what the frame's header says.
 struct Read {
   texture::Image light;
   uses::SeenFrame seen;
@@ -81,8 +81,8 @@ Read read_frame(const Options& options, const Job& job) {
   return read;
 }
 
-/// Makes a job for each frame. For a single frame, --output may be the picture's file. If it is a folder, as for
-/// several frames, the pictures in it are named after their frames.
+/// Makes a job for each frame. For a single frame, --output may name the picture's file. Otherwise it names a folder,
+/// in which the pictures are named after their frames.
 std::vector<Job> jobs_of(const Options& options) {
   std::vector<Job> jobs;
   const bool folder = options.frames.size() > 1 || !fs::path(options.output).has_filename() ||
@@ -131,7 +131,7 @@ void require_place(const Options& options, const std::vector<Job>& jobs) {
   }
 }
 
-/// Computes one exposure from all frames, with which all of them are developed.
+/// Computes a single exposure from all frames, with which all frames are developed.
 uses::Exposures shared_exposures(const Options& options, const std::vector<Job>& jobs) {
   if (jobs.size() == 1) {
     const auto [light, seen] = read_frame(options, jobs.front());
@@ -146,7 +146,7 @@ uses::Exposures shared_exposures(const Options& options, const std::vector<Job>&
   return shared.exposures();
 }
 
-/// Exposure with which all frames are developed. `a_cameras` tells whether it is a camera's exposure for every frame.
+/// Exposure with which all frames are developed. `a_cameras` is set if all frames are exposed as by a camera.
 uses::Exposures exposures_of(const Options& options, const std::vector<Job>& jobs) {
   auto exposures = shared_exposures(options, jobs);
   exposures.a_cameras = std::ranges::all_of(
@@ -154,7 +154,7 @@ uses::Exposures exposures_of(const Options& options, const std::vector<Job>& job
   return exposures;
 }
 
-/// Luminance that is rendered as white [cd/m²], with the shorter exposure and, if there is one, with the longer.
+/// Luminances that are rendered as white [cd/m²], for the shorter exposure and, if there is one, the longer exposure.
 std::vector<double> whites_of(const Options& options, uses::Exposures exposures) {
   std::vector<double> whites{1 / scale_of(options.develop, exposures.shorter)};
   if (!exposures.longer_s) return whites;

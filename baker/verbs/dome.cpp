@@ -24,7 +24,7 @@ namespace {
 
 struct Options {
   MoonOptions moon;
-  uses::ViewRequest view;  ///< of which only the observer, air and stars are used
+  uses::ViewRequest view;  ///< only its observer, air and stars are used
   uses::DomeRequest dome;
   std::string output;
   bool json = false;
@@ -46,7 +46,7 @@ void require_sound(const Options& options) {
   files::format_of(options.output, formats, "a dome");
   if (!options.view.observer) throw WrongUsage("--at: missing; a sky is seen from a place");
   uses::require_sound(options.dome);
-  constexpr double a_texel = 40;  // bytes; only 14 in linear Rec.709, as measured
+  constexpr double a_texel = 40;  // bytes per texel; linear Rec.709 was measured to need only 14
   const auto width = static_cast<double>(options.dome.width);
   files::require_memory(options.output, a_texel * width * width / 2);
   files::require_place_for(options.output);
@@ -56,7 +56,7 @@ void run(const Options& options) {
   require_sound(options);
   const auto request = dome_request(options);
   auto moon = moon_request(options.moon);
-  moon.texture_width = 720;  // enough to compute the Moon's total light
+  moon.texture_width = 720;  // columns, enough to compute the Moon's total light
   const auto sky = almanac::sky_at(instant_of(options.moon.moment, options.view.observer));
   const bool eclipsed =
       eclipse::eclipse_at(sky.when, eclipse::ShadowConvention::danjon).has_value();

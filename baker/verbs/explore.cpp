@@ -30,7 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-  FilmOptions film;  ///< of which only the eclipse and the calendar are used
+  FilmOptions film;  ///< only its eclipse and calendar are used
   std::string from, to, output;
   uses::ExploreRequest request;
   bool embed = false, json = false, csv = false;
@@ -61,7 +61,7 @@ std::string shell_word(const std::string& word) {
   return plain ? word : in_single_quotes(word);
 }
 
-/// The given flags that concern the air and the map, as text for the command lines that the page shows.
+/// The flags given by the user for the air and the map, as text for the command lines that the page shows.
 std::string options_shown(const Verb& verb) {
   std::string flags;
   for (const auto& parameter : verb.parameters) {

@@ -35,7 +35,7 @@ struct Options {
   std::optional<double> clock_error_min;
   texture::Coding coding = texture::Coding::as_file_says;
   std::optional<double> f_number;
-  uses::FitRequest request;  ///< without its photographs and magnitudes
+  uses::FitRequest request;  ///< request for the fit, still without photographs and magnitudes
   bool despite_misfit = false, misfits = false, json = false;
 };
 
@@ -61,7 +61,7 @@ std::optional<double> number_for(const Options& options, const std::string& list
   return value_for(options, *numbers, i, what);
 }
 
-/// Request for the fit, with what else the report needs to know about the photographs.
+/// Request for the fit, and further information about the photographs for the report.
 struct Input {
   uses::FitRequest request;
   std::vector<std::string> instants;
@@ -109,7 +109,7 @@ void warn_of_offset(const Options& options, const std::string& photo,
                one_line(photo), one_line(clock.unread));
 }
 
-/// Warns of photographs that a program may have changed.
+/// Warns of photographs that an image editor may have changed.
 void warn_of_editors(const Options& options) {
   if (options.coding != texture::Coding::as_file_says) return;
   std::optional<std::string> editor;
@@ -123,8 +123,8 @@ void warn_of_editors(const Options& options) {
                edited, options.photos.size(), one_line(*editor));
 }
 
-/// Whether moments are taken from GPS: all photographs have its time, and no camera's clock drifts from it, which would
-/// show an old time repeated. A zone for the cameras' clocks asks for these.
+/// Whether the photographs' times are taken from GPS. They are if all photographs have a GPS time, no camera's clock
+/// drifts relative to GPS (a drift would mean that an old GPS time was repeated), and no zone is given for the clocks.
 bool are_by_gps(const Options& options) try {
   constexpr double most_drift_s = 2;
   std::map<std::string, double> ahead_s;
@@ -137,7 +137,7 @@ bool are_by_gps(const Options& options) try {
     if (std::abs(ahead - first->second) > most_drift_s) return false;
   }
   return true;
-} catch (const algebra::Error&) {  // a camera's date that is not a date
+} catch (const algebra::Error&) {  // the date in a header is not a valid date
   return false;
 }
 

@@ -34,11 +34,11 @@ namespace of_night {
 namespace {
 
 struct Options {
-  FilmOptions film;  ///< of which only the eclipse and the calendar are used
+  FilmOptions film;  ///< only its eclipse and calendar are used
   MoonOptions moon;
   uses::ViewRequest view;
   uses::Development develop;
-  std::string place, zone;  ///< `zone` is for local times; if empty, the place's own
+  std::string place, zone;  ///< `zone` is for local times; if empty, the place's zone is used
   std::vector<std::string> outputs;
   bool danjon = true, json = false, csv = false;
 };
@@ -46,8 +46,8 @@ struct Options {
 /// What the command prints about the night of an eclipse at one place.
 struct NightReport {
   uses::NightLights lights;
-  almanac::City city;       ///< city at the place, or nearest to it
-  bool own_clocks = false;  ///< whether the place is that city itself
+  almanac::City city;       ///< city at the observer's place, or the nearest city
+  bool own_clocks = false;  ///< whether the user named the place as a city
   std::string zone;         ///< time zone for local times
 
   const uses::Circumstances& circumstances() const { return lights.night; }
@@ -78,7 +78,7 @@ std::string camera_text(double seconds) {
   return time > 30 ? duration(time) : fmt::format("{:g}", time);
 }
 
-/// Exposure time as cameras show it, with the range for a brighter or darker Moon, such as "2 s (1.6 to 2.5)".
+/// Exposure time as cameras show it, such as "2 s (1.6 to 2.5)". The range is for a brighter or darker Moon.
 std::string exposure_text(const std::optional<uses::PartExposure>& part) {
   if (!part) return "-";
   const auto time = camera_text(part->time_s), least = camera_text(part->least_s),
@@ -87,7 +87,7 @@ std::string exposure_text(const std::optional<uses::PartExposure>& part) {
          (least == most ? "" : fmt::format(" ({} to {})", least, most));
 }
 
-/// Describes in words what limits the exposure times in a phase.
+/// Describes in words what limits the exposure times in a phase of the eclipse.
 std::string limit_text(const uses::PhaseExposure& phase) {
   std::vector<std::string> limits;
   if (phase.too_dark) limits.emplace_back("too dark");
@@ -121,7 +121,7 @@ void print_moments(const NightReport& night) {
   }
 }
 
-/// How long the phases of an eclipse last, and for how long the eclipse is seen [s].
+/// Durations of an eclipse's phases, and of the time during which the eclipse is seen [s].
 algebra::ByName<double> durations(const uses::Circumstances& night) {
   const auto& c = night.eclipse.contacts;
   algebra::ByName<double> all;
@@ -193,7 +193,7 @@ struct MomentRow {
   uses::LocalTime local;
   almanac::Calendar calendar = almanac::Calendar::gregorian;
   bool seen = false;
-  std::optional<uses::NightLight> light;  ///< absent for moonrise and moonset
+  std::optional<uses::NightLight> light;  ///< light at that moment; absent for moonrise and moonset
 };
 
 template <class Field>

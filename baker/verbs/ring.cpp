@@ -27,7 +27,7 @@ struct Options {
   std::string output;
   std::optional<almanac::SelenographicPoint> on;
   double scale = 1;
-  uses::LightRequest light;  ///< of which only the air is used
+  uses::LightRequest light;  ///< only its air is used
   bool json = false;
 };
 

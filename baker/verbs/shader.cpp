@@ -30,7 +30,7 @@ const request::Words<colour::WorkingSpace> spaces{
     {"lin_ciexyzd65_scene", colour::WorkingSpace::ciexyz_d65}};
 
 struct Options {
-  MomentOptions moment;  ///< if only a day, its whole eclipse is meant
+  MomentOptions moment;  ///< a day without a time means the whole eclipse
   std::string output;
   LightOptions light;
   uses::ShaderRequest request;

@@ -41,10 +41,10 @@ std::vector<double> required_list(const std::string& text, const char* what) {
   return *list;
 }
 
-/// Decimal year for which the air is taken if no moment is given: an equinox in a year without eruptions.
+/// Decimal year whose air is used if no moment is given: an equinox in a year without volcanic eruptions.
 constexpr double an_equinox = 2003.22;
 
-/// A plane that cuts the Earth's shadow. It is given by its distance behind the Earth and by where the Sun is.
+/// A plane that cuts the Earth's shadow. It is given by its distance behind the Earth and by the Sun's position.
 struct Cut {
   double sun_distance_m, depth_m;
   algebra::Angle sun_declination{};  ///< 0, as at an equinox, if no moment is given
@@ -79,7 +79,7 @@ uses::ProfilePlaces places_of(const Options& options) {
   return places;
 }
 
-/// Profile of light across the shadow, with all that is written to files.
+/// Profile of light across the shadow, with everything else that is written to files.
 struct Profile {
   double moon_distance_km = 0, sun_distance_km = 0;
   std::string_view solver = "quadrature";

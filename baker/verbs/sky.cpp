@@ -43,7 +43,7 @@ void describe(Field&& is, const Star& star) {
 /// The sky at one moment, with stars if the user asked for them.
 struct Document {
   eclipse::SeenSky sky;
-  std::optional<algebra::Angle> latitude;  ///< of the observer; absent without stars
+  std::optional<algebra::Angle> latitude;  ///< the observer's latitude; absent without stars
   std::vector<Star> stars;
 };
 

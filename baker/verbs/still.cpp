@@ -61,7 +61,7 @@ void say_unless_seen(const uses::LitScene& scene, const Options& options) {
   const auto eclipse = eclipse::nearest_eclipse(when, eclipse::ShadowConvention::danjon);
   if (!scene.view.observer || options.view.sky_cd_m2) return;
   auto moon = options.moon.request;
-  moon.light.wish.tolerance = 0.05;  // enough, because the eye's threshold is less certain
+  moon.light.wish.tolerance = 0.05;  // sufficient, because the eye's threshold is less certain
   const uses::EclipseLight light(eclipse, moon);
   const auto night = uses::as_seen(
       uses::circumstances(eclipse, *scene.view.observer),

@@ -31,57 +31,52 @@ bpys = sorted(set(re.findall(r"hand_off/add_on_in_blender_([\d.]+)\b", log)))
 
 # host, version, file, what was done with it, tests
 ROWS = [
-    ("Blender (Debian)", debian("blender"), "a date, `.exr`, `.tx`, a film's folder", "add-on and import: places, light on a "
-     "wall, colours, frames, undo, a window; `.eclipse` in Cycles", ["blender", "blender_add_on", "side_by_side"]),
-    *((f"Blender (`bpy`)", version, "a date, `.tx`", "add-on: places, light on a wall, a whole eclipse, undo, landscapes; "
+    ("Blender (Debian)", debian("blender"), "a date, `.exr`, `.tx`, a film's folder", "add-on and import tested: positions, light on a wall, colours, frames, undo, a window; `.eclipse` in Cycles", ["blender", "blender_add_on", "side_by_side"]),
+    *((f"Blender (`bpy`)", version, "a date, `.tx`", "add-on tested: positions, light on a wall, a whole eclipse, undo, landscapes;  "
        "working spaces of Blender 5", [f"add_on_in_blender_{version}"]) for version in bpys),
     ("Blender (`bpy`)", pinned["bpy"], "`.exr`, `.tx`, `.png`, `.glb`", "finds the colour space by itself",
      ["colour/blender_finds_spaces"]),
-    ("Mitsuba", pinned["mitsuba"], "`scene --for mitsuba`", "rendered: POV-Ray's picture, pixel by pixel", ["mitsuba"]),
-    ("OpenImageIO's tools (Debian)", debian("openimageio-tools"), "`.exr`, `.tx`, `.png`", "header, every texel, mip levels",
+    ("Mitsuba", pinned["mitsuba"], "`scene --for mitsuba`", "rendered the same picture as POV-Ray, pixel by pixel", ["mitsuba"]),
+    ("OpenImageIO's tools (Debian)", debian("openimageio-tools"), "`.exr`, `.tx`, `.png`", "read the header, every texel, mip levels",
      ["tools"]),
     ("OpenImageIO", pinned["OpenImageIO"], "`.exr`, `.tx`, `.png`", "finds the colour space by itself",
      ["colour/openimageio_finds_spaces"]),
-    ("OpenColorIO", pinned["opencolorio"], "`config_aces2.ocio`", "`ociocheck` is silent; views as those of its own ACES",
+    ("OpenColorIO", pinned["opencolorio"], "`config_aces2.ocio`", "`ociocheck` finds no errors; views agree with its own ACES views",
      ["colour/opencolorio_shows_the_same", "colour/passes_ociocheck"]),
-    ("NumPy", numpy2, "`import coppermoon`", "all tests of the Python package",
+    ("NumPy", numpy2, "`import coppermoon`", "passes all tests of the Python package",
      ["numpy2/behaviour", "numpy2/numbers"]),
-    ("OpenUSD", pinned["usd-core"], "`.usda`, `.usdz`", "validators find nothing; finds the colour space by itself",
+    ("OpenUSD", pinned["usd-core"], "`.usda`, `.usdz`", "validators find no errors; finds the colour space by itself",
      ["validators/find_nothing", "colour/usd_finds_spaces"]),
-    ("Blender (`bpy`)", pinned["bpy"], "`animate --stage`", "rendered: Moon and sky of the first frame where the program's own has them, and "
-     "as bright, by twilight and by night", ["stage/blender_renders_1840", "stage/blender_renders_2040"]),
-    ("OpenUSD", pinned["usd-core"], "`animate --stage`", "read, node by node: the film's textures within 2 %; light in lux; camera; "
-     "validators find nothing", ["stage/is_read", "stage/validators_find_nothing"]),
-    ("tinyusdz", npm["tinyusdz"], "`.usda`", "read: mesh, material, places of texels",
+    ("Blender (`bpy`)", pinned["bpy"], "`animate --stage`", "rendered Moon and sky of the first frame in the same position and at the same brightness as the program, in twilight and at night", ["stage/blender_renders_1840", "stage/blender_renders_2040"]),
+    ("OpenUSD", pinned["usd-core"], "`animate --stage`", "read node by node: the film's textures within 2 %; light in lux; camera; validators find no errors", ["stage/is_read", "stage/validators_find_nothing"]),
+    ("tinyusdz", npm["tinyusdz"], "`.usda`", "read mesh, material, positions of texels",
      ["gltf/usda_is_read", "gltf/usda_of_a_bake_is_read"]),
-    ("MaterialX", pinned["MaterialX"], "`.usda`, `eclipse.mtlx`", "validator finds nothing; finds the colour space",
+    ("MaterialX", pinned["MaterialX"], "`.usda`, `eclipse.mtlx`", "validator finds no errors; finds the colour space",
      ["validators/find_nothing", "colour/materialx_finds_spaces"]),
     ("MaterialX's generator, in Chromium", npm["@needle-tools/materialx"], "`eclipse.mtlx`",
-     "a shader, run: the shadow's light within 1 %", ["shader"]),
-    ("OSL in Cycles (`bpy`)", pinned["bpy"], "`eclipse.osl`", "rendered: the shadow's light within 0.5 %", ["shader"]),
-    ("Khronos' glTF validator", npm["gltf-validator"], "`.glb`", "finds nothing",
+     "generated and ran a shader: the shadow's light within 1 %", ["shader"]),
+    ("OSL in Cycles (`bpy`)", pinned["bpy"], "`eclipse.osl`", "rendered the shadow's light within 0.5 %", ["shader"]),
+    ("Khronos' glTF validator", npm["gltf-validator"], "`.glb`", "finds no errors",
      ["gltf/glb_is_read", "gltf/glb_of_a_bake_is_read"]),
-    ("three.js", npm["three"], "`.glb`", "read: mesh, material, places of texels",
+    ("three.js", npm["three"], "`.glb`", "read mesh, material, positions of texels",
      ["gltf/glb_is_read", "gltf/glb_of_a_bake_is_read"]),
-    ("OpenJobDescription's `openjd`", pinned["openjd-cli"], "`animate --job job.yaml`", "checked; run, with a task killed on "
-     "the way: the bytes of the direct run", ["job"]),
+    ("OpenJobDescription's `openjd`", pinned["openjd-cli"], "`animate --job job.yaml`", "checked and ran the job, with a task killed during the run: same bytes as from a direct run", ["job"]),
     ("sasktran2", pinned["sasktran2"], "ozone and aerosol of five airs",
-     "light scattered once onto the shadow's axis: the same light", ["scattered_light"]),
-    ("LibRaw's `dcraw_emu`", debian("libraw-bin"), "`.dng`", "the same light", ["raw"]),
-    ("darktable", debian("darktable"), "`.dng`", "the same light", ["raw"]),
-    ("Stellarium", debian("stellarium"), "`.stellarium`", "shown: the texture as it is, where our camera has it",
+     "computed light scattered once onto the shadow's axis: same result", ["scattered_light"]),
+    ("LibRaw's `dcraw_emu`", debian("libraw-bin"), "`.dng`", "read the same light", ["raw"]),
+    ("darktable", debian("darktable"), "`.dng`", "read the same light", ["raw"]),
+    ("Stellarium", debian("stellarium"), "`.stellarium`", "showed the texture unchanged, in the same position as our camera",
      ["stellarium"]),
 ]
 
 CANNOT = [
-    ("Blender's `bpy`", "`.eclipse`", "it brings an OpenImageIO of its own, which cannot load the reader built with Debian's"),
-    ("Blender's viewport", "`.eclipse`", "it has readers of its own, and shows nothing; Cycles reads it"),
+    ("Blender's `bpy`", "`.eclipse`", "it contains an OpenImageIO of its own, which cannot load the reader built with Debian's OpenImageIO"),
+    ("Blender's viewport", "`.eclipse`", "it reads images with its own code, and shows nothing; Cycles reads the file"),
     ("Mitsuba's spectral variants", "`scene --for mitsuba`", "they would make spectra of their own from RGB"),
-    ("pbrt-v4", "a scene", "not written: pbrt was not at hand to be tried"),
-    ("glTF", "floats", "the format has no such textures: `moon_lin_rec709.glb` has cd/m² in 16 bits, sRGB-coded, and a strength"),
-    ("iPhone's and iPad's viewers", "`.usdz`", "not at hand; OpenUSD's validators for such packages find nothing"),
-    ("Maya, Houdini, Nuke, Unreal, Arnold, RenderMan", "`.tx`, `.usda`, `.exr`", "not at hand: written as their documentation "
-     "has it"),
+    ("pbrt-v4", "a scene", "not written, because pbrt was not available for tests"),
+    ("glTF", "floats", "the format has no floating-point textures, so `moon_lin_rec709.glb` stores cd/m² as 16-bit sRGB and a strength"),
+    ("iPhone's and iPad's viewers", "`.usdz`", "not available for tests; OpenUSD's validators for such packages find no errors"),
+    ("Maya, Houdini, Nuke, Unreal, Arnold, RenderMan", "`.tx`, `.usda`, `.exr`", "not available for tests; the files follow these programs' documentation"),
 ]
 
 result = dict(re.findall(r"^\d+/\d+ Test: (\S+)\n.*?^Test (Passed|Failed)\.", log, re.M | re.S))
@@ -89,8 +84,7 @@ missing = [test for *_, tests in ROWS for test in tests if result.get("hand_off/
 if missing:
     sys.exit(f"not run, or failed: {', '.join(sorted(set(missing)))}; {page} stays as it is")
 
-lines = ["# Other programs", "", "Programs that were given what coppermoon makes, and what they made of it. `tests/hand_off.sh` "
-         "tries them, and writes this page", "when all tests pass.", "", "| program | version | given | what was done |",
+lines = ["# Other programs", "", "This page lists other programs that were tested with files from coppermoon, and the results. `tests/hand_off.sh` runs these tests, and writes this page when all of them pass.", "", "| program | version | input | result |",
          "| --- | --- | --- | --- |"]
 lines += [f"| {host} | {version} | {given} | {done} |" for host, version, given, done, _ in ROWS]
 lines += ["", "## What is not to be had", "", "| program | file | why |", "| --- | --- | --- |"]

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Makes stars.bin, the stars that frames show, from the catalogues of Debian 12's package stellarium-data.
+"""Makes stars.bin, the stars shown in rendered frames, from the catalogues of Debian 12's package stellarium-data.
 
 Usage: make_stars.py [folder of the catalogues] [stars.bin]
 
@@ -8,12 +8,12 @@ It keeps stars down to V = 9.0 within 10 degrees of the ecliptic, where the Moon
 The package's copyright file says that the data come from the Hipparcos Catalogue (ESA, 1997, SP-1200; 3.1), the Tycho-2
 Catalogue (Hog et al., 2000; 3.6) and the Naval Observatory Merged Astrometric Dataset NOMAD 1 (U.S. Naval
 Observatory; 3.7: free to distribute if source, name and changes are stated). The changes: magnitudes and colours are
-rounded, and Stellarium's authors computed those that a catalogue lacked; places are rounded to 0.0003 arcseconds;
+rounded, and Stellarium's authors computed those that a catalogue lacked; positions are rounded to 0.0003 arcseconds;
 some stars are left out. Stars without a Hipparcos number have no proper motion.
 
-A star takes 16 bytes, little-endian: right ascension and declination (ICRS, epoch and equinox 2000.0) in 2^-32 turns,
-4 bytes each; proper motion east and north in 0.01 mas a year, 3 bytes each; then one byte each for (V + 2) / 0.05 and
-(B - V + 0.5) / (4/127).
+A star takes 16 bytes, little-endian: right ascension and declination (ICRS, epoch and equinox 2000.0), in units of
+2^-32 of a full turn, 4 bytes each; proper motion east and north, in units of 0.01 mas a year, 3 bytes each; then
+(V + 2) / 0.05 and (B - V + 0.5) / (4/127), one byte each.
 """
 import math
 import struct
@@ -64,7 +64,7 @@ def triangles(level):
 
 
 def plane(triangle):
-    """The plane that touches the sphere at a triangle's middle (middle, east, north), and its largest coordinate."""
+    """Tangent plane at a triangle's middle, as (middle, east, north), and the corners' largest coordinate in it."""
     middle = unit(total(*triangle))
     east = unit(cross((0, 0, 1), middle))
     north = cross(middle, east)
@@ -76,7 +76,7 @@ def plane(triangle):
 
 
 def stars(path):
-    """Yields the Hipparcos number (0 if there is none), direction, V and colour code of each star in a catalogue."""
+    """Yields each star's Hipparcos number (0 if it has none), direction, V magnitude and colour code in a catalogue."""
     with open(path, "rb") as file:
         data = file.read()
     magic, kind, version, _, level, brightest, extent, steps = struct.unpack_from("<5I2iI", data)

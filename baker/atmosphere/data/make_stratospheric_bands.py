@@ -13,10 +13,10 @@ FOLDER holds these tables, as CSV with lines of `#` before the header:
   eva_h_shapefunctions.csv                         lat,z_km,box1,...,box8: extinction / mean optical depth of the box
   msvolso2l4_v4_explosive_1979_2024.csv            volcano,year,month,day,lat,height_km,so2_kt,vei (Carn, MSVOLSO2L4)
 
-The bands' optical depths are measured until 2016, the global mean until 2024. The rest comes from EVA_H (Aubry et al.
-2020, J. Geophys. Res. 125, e2019JD031303, version 2). Eruptions put sulphur dioxide into the eight boxes of this model,
-which tells the heights of the aerosol that exceeds the background, and from 2017 on also its bands. Hunga (January
-2022) is treated apart: it accounts for the rest of the global mean, divided among the bands as published.
+Optical depths of the bands were measured until 2016, the global mean until 2024. The rest comes from EVA_H (Aubry et
+al. 2020, J. Geophys. Res. 125, e2019JD031303, version 2). In this model, eruptions put sulphur dioxide into eight
+boxes, which gives the heights of aerosol above the background and, from 2017 on, its bands. The aerosol of Hunga
+(January 2022) is the remainder of the measured global mean, divided among the bands as published.
 """
 import csv
 import sys
@@ -26,7 +26,7 @@ import numpy as np
 BANDS = ["90S-60S", "60S-30S", "30S-0", "0-30N", "30N-60N", "60N-90N"]
 EDGES = np.array([-90, -60, -30, 0, 30, 60, 90])
 AREA = np.diff(np.sin(np.radians(EDGES))) / 2
-LAYERS = [(6, 7), (3, 4, 5), (0, 1, 2)]  # boxes below 16 km, from 16 to 20 km, above
+LAYERS = [(6, 7), (3, 4, 5), (0, 1, 2)]  # boxes below 16 km, from 16 to 20 km, above 20 km
 FIRST, LAST = 1979, 2025
 MONTHS = (LAST - FIRST + 1) * 12
 
@@ -34,16 +34,16 @@ MONTHS = (LAST - FIRST + 1) * 12
 LOSS = np.array([1.94, 18.8, 1.94, 2.68, 57.7, 2.68, 4.5, 4.5])
 MIXING = 9.2
 DEPTH_PER_TG = 0.0229
-BACKGROUND_TG = np.array([.0021, .0116, .0035, .0003, .0001, .0004, .0023, .0032])  # a month, of version 1
-BELOW = {0: 3, 1: 4, 2: 5, 3: 6, 5: 7}  # the box into which another settles
+BACKGROUND_TG = np.array([.0021, .0116, .0035, .0003, .0001, .0004, .0023, .0032])  # a month; values of version 1
+BELOW = {0: 3, 1: 4, 2: 5, 3: 6, 5: 7}  # for each box, the box into which its sulphate settles
 TROPOPAUSE = {"south": 10.3, "tropics": 15.9, "north": 10.7}  # km, annual means beyond and within 25 degrees
 
-BACKGROUND = 0.0042  # global mean at 550 nm of 1999 to 2004
-QUIET_EXPONENT, HUNGA_EXPONENT = 1.65, 0.3  # Angstrom's, 550 to 1020 nm; Hunga's for an effective radius of 0.4 um
-OMPS_TOO_HIGH = 0.774  # GloSSAC over OMPS-LP, June to December 2024
+BACKGROUND = 0.0042  # global mean optical depth at 550 nm from 1999 to 2004
+QUIET_EXPONENT, HUNGA_EXPONENT = 1.65, 0.3  # Angstrom, 550 to 1020 nm; Hunga's is for an effective radius of 0.4 um
+OMPS_TOO_HIGH = 0.774  # GloSSAC divided by OMPS-LP, June to December 2024
 
-# Ratio of Hunga's optical depth in each band to its global mean, judged to within a third. The aerosol lay between 35 S
-# and 20 N until June 2022, and spread further later.
+# Optical depth of Hunga's aerosol in each band, divided by its global mean. The estimates are uncertain by a third. The
+# aerosol lay between 35 S and 20 N until June 2022, and spread further later.
 HUNGA = [(2022.04, (0, 0.1, 3.2, 0.7, 0, 0)), (2022.37, (0, 0.8, 2.5, 0.9, 0, 0)),
          (2022.85, (0.6, 2.2, 1.5, 0.7, 0.15, 0)), (2023.5, (1.4, 1.8, 1.0, 0.7, 0.5, 0.4)),
          (2024.5, (1.3, 1.3, 0.9, 0.8, 0.8, 0.8))]
@@ -85,7 +85,7 @@ def share(low, high, middle, width):
 
 
 def injected(eruption):
-    """Sulphur [Tg] that an eruption puts into each box."""
+    """Sulphur [Tg] that an eruption puts into each of the model's boxes."""
     height, latitude = float(eruption["height_km"]), float(eruption["lat"])
     south, tropics, north = (share(*edges, latitude, 7) for edges in ((-999, -25), (-25, 25), (25, 999)))
     top, middle = share(20, 999, height, 1.2), share(TROPOPAUSE["tropics"], 20, height, 1.2)
@@ -96,7 +96,7 @@ def injected(eruption):
 
 
 def sulphate(eruptions):
-    """Monthly means of the sulphate from eruptions, [month][box, TgS]."""
+    """Monthly means of the mass of sulphate from eruptions [Tg of sulphur], indexed by [month][box]."""
     steps = 50
     c, mass, months = settling_and_mixing(), np.zeros(8), np.zeros((MONTHS, 8))
     plumes = []
@@ -115,7 +115,7 @@ def sulphate(eruptions):
 
 
 def by_band(shapes):
-    """Optical depths that a mean of 1 in a box gives, [band][box]; profiles [band][box][height, 1/km]; heights [km]."""
+    """Depths [band][box] and profiles [band][box][height, 1/km] if a box has a mean depth of 1, and heights [km]."""
     latitudes, heights = (sorted({float(row[key]) for row in shapes}) for key in ("lat", "z_km"))
     extinction = np.zeros((len(BANDS), 8, len(heights)))
     weights = np.zeros(len(BANDS))
@@ -132,7 +132,7 @@ def by_band(shapes):
 
 
 def in_layers(depth_of_boxes, mass):
-    """Optical depths [band][layer] that follow from the mass of sulphate in each box."""
+    """Optical depths [band][layer] due to the mass of sulphate in each box."""
     return np.stack([sum(depth_of_boxes[:, box] * mass[box] for box in layer) for layer in LAYERS], axis=1)
 
 

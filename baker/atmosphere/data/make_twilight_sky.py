@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Makes twilight_sky.csv: the light of a clear sky at twilight, scattered any number of times by spherical air.
+"""Makes twilight_sky.csv: the light of a clear twilight sky, scattered any number of times in a spherical atmosphere.
 
 Usage: make_twilight_sky.py [RUNS [twilight_sky.csv]]     16 runs, the default, take one processor a quarter of an hour
 
-Backward Monte Carlo. Light scattered once is integrated along the line of sight. For all further orders, paths go from
-the eye through the air, with more directions near the horizon. Wherever a path scatters, sunlight arrives from every
-position of the Sun in the table, so that all positions share the noise of the same paths. The remaining noise, above
-1 % with the Sun below -6 degrees, is smoothed in proportion to its size. The air is that of US 1976; ozone and its
-cross-section come from the tables beside this one. The aerosol has a scale height of 1.5 km, an Angstrom exponent of
-1.3, Henyey-Greenstein's g of 0.7 and a single-scattering albedo of 0.95. Rayleigh's optical depth is that of Hansen &
-Travis (1974), unpolarised; the ground has an albedo of 0.2; there is no refraction.
+The method is backward Monte Carlo. Light scattered once is integrated along the line of sight. For all further orders,
+paths are traced from the eye through the air, with more directions near the horizon. At each scattering, sunlight is
+added for every position of the Sun in the table, so that all positions share the noise of the same paths. The noise,
+above 1 % with the Sun below -6 degrees, is smoothed in proportion to its size. The air is that of US 1976; ozone's
+profile and cross-section come from tables in this folder. The aerosol has a scale height of 1.5 km, an Angstrom
+exponent of 1.3, Henyey-Greenstein's g = 0.7 and a single-scattering albedo of 0.95. The Rayleigh optical depth is that
+of Hansen & Travis (1974); the ground has an albedo of 0.2; polarisation and refraction are neglected.
 """
 import csv
 import pathlib
@@ -19,13 +19,13 @@ import sys
 import numpy as np
 
 DATA = pathlib.Path(__file__).resolve().parent
-AIRS = {  # by number
+AIRS = {  # in the order of their numbers in the table
     "standard": {}, "clear": {"aerosol": 0.03}, "hazy": {"aerosol": 0.3}, "ozone": {"ozone_du": 450.}, "high": {"eye_km": 3.}}
 SUNS = np.array([5, 3, 2, 1, 0, *range(-1, -17, -1)], float)  # geometric altitudes [degrees]
 ALTITUDES = np.array([0.5, 1, 2, 3, 5, 7.5, 10, 15, 20, 30, 45, 60, 75, 90])
-AZIMUTHS = np.array([0, 15, 30, 45, 60, 90, 120, 150, 180.])  # from the Sun's
+AZIMUTHS = np.array([0, 15, 30, 45, 60, 90, 120, 150, 180.])  # relative to the Sun's
 NM = np.array([390, 420, 445, 470, 495, 520, 545, 570, 595, 620, 650, 700.])
-REFERENCE = 5  # of NM, whose optical depth places are drawn by
+REFERENCE = 5  # index in NM of the wavelength whose optical depth is used to draw places of scattering
 EARTH_KM, TOP_KM = 6371., 100.
 EXPONENT, FORWARD, ALBEDO, GROUND, SCALE_KM = 1.3, 0.7, 0.95, 0.2, 1.5
 SUN_RADIUS = 0.00465
@@ -45,7 +45,7 @@ def phases(cosine):
 
 
 class Air:
-    """Profiles of molecules, ozone and aerosol (shares of the column per kilometre), and vertical optical depths."""
+    """Molecules, ozone and aerosol: profiles (shares of the column per kilometre) and vertical optical depths."""
 
     def __init__(self, aerosol=0.1, ozone_du=300., eye_km=0.):
         z = np.concatenate([np.arange(0, 12, .25), np.arange(12, 40, .5), np.arange(40, TOP_KM + .1, 1)])
@@ -78,7 +78,7 @@ class Air:
         return np.exp(self.fine[:, i] * (1 - (x - i)) + self.fine[:, i + 1] * (x - i))
 
     def make_columns(self):
-        """Logarithms of the amounts of air on rays to space, by height and by angle above the horizon seen there."""
+        """Tabulates logarithms of air amounts along rays to space, by starting height and angle above the horizon."""
         self.heights, self.angles = 101, 181
         height, above = np.meshgrid(TOP_KM * np.linspace(0, 1, self.heights)**2, np.pi * np.linspace(0, 1, self.angles)**2, indexing="ij")
         radius = EARTH_KM + height
@@ -95,7 +95,7 @@ class Air:
         self.columns = np.log(np.maximum(amounts, 1e-12)).astype(np.float32)
 
     def sunlight(self, places, suns):
-        """Transmittance [place, Sun, wavelength] from the Sun to places [km]; cosines of the Sun's zenith angles."""
+        """Transmittance [place, Sun, wavelength] of sunlight to places [km], and cosines of the Sun's zenith angles."""
         radius = np.linalg.norm(places, axis=1)
         cosine = np.clip((places / radius[:, None]) @ suns.T, -1, 1)
         height = np.clip(radius - EARTH_KM, 0, TOP_KM)
@@ -115,8 +115,8 @@ class Air:
 
 
 def marched(air, start, towards, steps):
-    """Segments of rays down to the ground or up to the top of the air, finest at the lowest point: their edges, middles
-    and lengths [km], densities and amounts of air in them, whether the ray ends on the ground, and the ray's length."""
+    """Divides rays, down to the ground or up to the top of the air, into segments, finest at the lowest point. Returns
+    edges, middles and lengths [km], densities and amounts of air, whether rays end on the ground, and rays' lengths."""
     along, square = (start * towards).sum(1), (start * start).sum(1)
     root = along**2 - square + EARTH_KM**2
     grounded = (root > 0) & (along < 0)
@@ -136,7 +136,7 @@ def marched(air, start, towards, steps):
 
 
 def across(axis):
-    """Two unit vectors at right angles to each axis and to each other."""
+    """For each axis, two unit vectors that are perpendicular to it and to each other."""
     other = np.where(abs(axis[:, :1]) < 0.9, np.array([[1., 0, 0]]), np.array([[0, 1., 0]]))
     east = np.cross(axis, other)
     east /= np.linalg.norm(east, axis=1)[:, None]
@@ -150,9 +150,9 @@ def turned(axis, cosine, around):
 
 
 def next_directions(random, up, towards, grounded):
-    """Draws directions: uniform, dense near the horizon, or as aerosol scatters. Returns their densities [1/sr] too."""
+    """Draws directions (uniform, near the horizon, or as aerosol scatters), with their probability densities [1/sr]."""
     chosen, around, x = random.random(len(up)), 2 * np.pi * random.random(len(up)), random.random(len(up))
-    width = 0.12  # Cauchy's, of the sine of altitude
+    width = 0.12  # of a Cauchy distribution of the sine of altitude
     most = np.arctan(1 / width)
     low = width * np.tan((2 * x - 1) * most)
     sine = np.where(chosen < 0.4, 2 * x - 1, low)
@@ -167,7 +167,7 @@ def next_directions(random, up, towards, grounded):
 
 
 def radiance(air, altitude_deg, seed, paths=16000):
-    """Radiance of the sky divided by the Sun's irradiance [1/sr]: [Sun's altitude, azimuth, wavelength]."""
+    """Radiance of the sky divided by the Sun's irradiance [1/sr], indexed by [Sun's altitude, azimuth, wavelength]."""
     random = np.random.default_rng(seed)
     s, b, a = np.radians(SUNS)[:, None], np.radians(AZIMUTHS)[None], np.radians(altitude_deg)
     suns = np.stack([np.cos(s) * np.cos(b), np.cos(s) * np.sin(b), np.sin(s) * np.ones_like(b)], -1).reshape(-1, 3)
@@ -226,7 +226,7 @@ def radiance(air, altitude_deg, seed, paths=16000):
         scattered = np.where(landed[:, None], GROUND / np.pi * np.maximum(sine, 0)[:, None] * np.ones(len(NM)),
                              molecules * by_molecules[:, None] + aerosol * by_aerosol[:, None])
         weight, start, towards = weight * scattered / chance[:, None], place, direction
-        if order > 1:  # roulette
+        if order > 1:  # Russian roulette
             mean = weight.mean(1)
             kept = np.clip(mean / (mean.mean() * 0.5 + 1e-300), 0.05, 1)
             alive = random.random(len(start)) < kept
@@ -258,7 +258,7 @@ def bends(x):
 
 
 def smoothed(values, noise):
-    """Smooths logarithms [altitude, Sun] of standard error `noise` until second differences are a few hundredths."""
+    """Smooths logarithms [altitude, Sun] with standard errors `noise`, to second differences of a few hundredths."""
     x = np.cumsum(np.append(0, np.diff(np.log(ALTITUDES + 1.5))))
     down, along = bends(x / np.diff(x).mean()), bends(SUNS)
     stiff = (np.kron(down.T @ down, np.eye(len(SUNS))) / 0.04**2 + np.kron(np.eye(len(ALTITUDES)), along.T @ along) / 0.02**2)
@@ -266,7 +266,7 @@ def smoothed(values, noise):
 
 
 def without_noise(light, least):
-    """Smoothed mean logarithms [altitude, Sun, azimuth, channel] of runs. In the zenith all azimuths have one value."""
+    """Smoothed logarithms of the runs' mean light [altitude, Sun, azimuth, channel]. Azimuths agree at the zenith."""
     mean = light.mean(0)
     noise = light.std(0, ddof=1) / mean / np.sqrt(len(light)) / np.log(10)
     noise = np.maximum(np.sqrt((noise**2).mean((2, 3))), least)
@@ -285,7 +285,7 @@ def main():
         made[name] = np.stack([[channels(radiance(Air(**air), altitude, seed)) for altitude in ALTITUDES]
                                for seed in range(runs if name == "standard" else max(runs // 4, 2))])
         print(name, flush=True)
-    # Other airs are ratios to the standard one, because runs with the same seed share their noise.
+    # Other atmospheres are smoothed as ratios to the standard one, because runs with the same seed share their noise.
     standard = without_noise(made["standard"], 0.0015)
     lines = ["# source: make_twilight_sky.py: backward Monte Carlo in round air, all orders of scattering",
              "# units: degrees (the Sun's geometric altitude; altitude), 1000 log10 of linear Rec.709 [cd/m2] for azimuths from the Sun's of",

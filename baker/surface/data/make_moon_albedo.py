@@ -5,15 +5,15 @@
 Usage: make_moon_albedo.py [moon_4k.jpg] [moon_albedo.jpg]     needs python3-numpy and python3-openimageio
 
 The map is NASA's CGI Moon Kit of 2019, made from images by LRO's cameras (LROC WAC, 643, 566 and 415 nm) at a phase
-of 60 degrees. The package's copyright file (4.4) names USGS Astrogeology and Clementine, and says that it is in the
-public domain. Its codes v, the luminance of red, green and blue, are converted to normal albedo as docs/textures.md
-describes for cgi-moon-kit-2019:
+angle of 60 degrees. The package's copyright file (4.4) names USGS Astrogeology and Clementine, and says that the map is
+in the public domain. Its pixel values v, the luminance of red, green and blue, are converted to normal albedo as
+docs/textures.md describes for cgi-moon-kit-2019:
 
     A = (0.16 + 0.24 v)^(2.8/1.56)
 
-The contrast beyond latitude 64 degrees is restored as in surface::with_polar_contrast. The result is coded again by
-the same expression and stored as a grey JPEG with the quantisation of the package's file, so that little is lost a
-second time. The script prints the error that storing causes.
+The contrast beyond latitude 64 degrees is restored as in surface::with_polar_contrast. The result is converted back to
+pixel values by the same expression, and stored as a grey JPEG with the quantisation of the package's file, so that
+little is lost a second time. The script prints the error due to the JPEG.
 """
 import sys
 
@@ -29,7 +29,7 @@ def albedo_of(codes):
 
 
 def read(path):
-    """Reads the kit's map and converts it to normal albedo, rows x columns."""
+    """Reads the kit's map and converts it to normal albedo, indexed by [row, column]."""
     return albedo_of(oiio.ImageBuf(path).get_pixels(oiio.FLOAT).astype(float) @ [0.2126, 0.7152, 0.0722])
 
 

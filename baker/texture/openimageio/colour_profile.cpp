@@ -21,7 +21,7 @@ constexpr std::array<double, 8> rec709{0.64, 0.33, 0.3, 0.6, 0.15, 0.06, 0.3127,
 using ToneCurve = std::unique_ptr<cmsToneCurve, decltype(&cmsFreeToneCurve)>;
 
 ToneCurve tone_curve(std::optional<double> power) {
-  constexpr int srgb_form = 4;  // ICC's curve type: (a x + b)^g from d upwards, c x below
+  constexpr int srgb_form = 4;  // ICC's number for the curve (a x + b)^g from d upwards, c x below
   const std::array<double, 5> srgb{2.4, 1 / 1.055, 0.055 / 1.055, 1 / 12.92, 0.04045};
   return {power ? cmsBuildGamma(nullptr, *power)
                 : cmsBuildParametricToneCurve(nullptr, srgb_form, srgb.data()),

@@ -9,26 +9,26 @@
 
 namespace coppermoon::texture {
 
-/// The meaning of a file's numbers as colours: an ICC profile, or primaries and a curve. Converts to linear Rec. 709.
+/// Colour profile of an image file: an ICC profile, or primaries and a tone curve. Converts colours to linear Rec. 709.
 class ColourProfile {
  public:
   /// Makes a profile from an ICC profile: for grey if there is one channel, for red, green and blue if there are three.
-  /// Returns nothing if it agrees with sRGB to within 1/200 of full light.
+  /// Returns nothing if the profile agrees with sRGB to within 1/200 of full light.
   ///
-  /// Throws  Error  when the profile is broken or is for other channels; the message names it
+  /// Throws  Error  when the profile is broken, or is for other channels (the message then names the profile)
   static std::optional<ColourProfile> of_icc(std::string_view bytes, std::size_t channels);
 
-  /// Makes a profile from x and y of red, green, blue and white. Light is the given power of the numbers; if `power` is
-  /// absent, it follows sRGB's curve. Returns nothing if the primaries agree with Rec. 709 to within 1/200.
+  /// Makes a profile from x and y of red, green, blue and white. Light is the file's number to the given power or,
+  /// without a power, follows sRGB's curve. Returns nothing if x and y agree with Rec. 709 to within 1/200.
   ///
-  /// Throws  Error  when the primaries are impossible
+  /// Throws  Error  when no light can have these primaries
   static std::optional<ColourProfile> of_primaries(const std::array<double, 8>& xy,
                                                    std::optional<double> power);
 
   /// The profile for Adobe RGB (1998).
   static ColourProfile adobe_rgb();
 
-  /// Converts coded texels, which have either one or three numbers each, to linear Rec. 709. Thread-safe.
+  /// Converts coded texels, each of which has one or three numbers, to linear Rec. 709. Thread-safe.
   void light(const float* coded, float* rgb, std::size_t texels) const;
 
  private:

@@ -20,11 +20,11 @@ namespace {
 
 using algebra::Error;
 
-/// Writes the bytes from OpenImageIO to a file, and remembers the reason if the system refuses them.
+/// Passes the bytes from OpenImageIO to a file, and remembers the system's error if one occurs.
 class FileSink : public OIIO::Filesystem::IOProxy {
  public:
   explicit FileSink(const files::Handle& file) : IOProxy("", Write), file_(file) {}
-  /// This must not be "file", because OpenImageIO's JPEG writer would then take this object for its own IOFile.
+  /// The type must not be "file", because OpenImageIO's JPEG writer would then take this object for its own IOFile.
   const char* proxytype() const override { return "handle"; }
   std::size_t write(const void* bytes, std::size_t size) override {
     const auto written = pwrite(bytes, size, m_pos);
@@ -54,7 +54,7 @@ std::string one_line(std::string text) {
   return text.empty() ? "unknown reason" : text;
 }
 
-/// Closes an output and returns its error. The error must always be fetched, or OpenImageIO prints it at exit.
+/// Closes an output and returns its error message, which must always be fetched, or OpenImageIO prints it at exit.
 std::string closing_words(OIIO::ImageOutput& output, bool written) {
   const bool closed = output.close();
   const auto reason = output.geterror() + OIIO::geterror();
@@ -167,7 +167,7 @@ void write_encoded(const std::filesystem::path& path, const char* format,
     FileSink sink(file);
     auto output = OIIO::ImageOutput::create(format);
     if (!output) fail(one_line(OIIO::geterror()));
-    const bool reads_back = std::string_view(format) == "tiff";  // such files are written by name
+    const bool reads_back = std::string_view(format) == "tiff";  // TIFF needs a path, not a sink
     if (!reads_back) output->set_ioproxy(&sink);
     std::string reason;
     try {

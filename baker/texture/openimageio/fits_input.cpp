@@ -30,7 +30,7 @@ void require_success(int status) {
   throw Error(text.data());
 }
 
-/// Refuses a file that does not begin like FITS, because CFITSIO would unpack any compressed file, however large.
+/// Refuses a file that does not start as a FITS file, because CFITSIO would unpack any compressed file, however large.
 void require_plain(const std::string& name) {
   constexpr std::string_view sign = "SIMPLE  =";
   std::array<char, sign.size()> bytes{};
@@ -60,7 +60,7 @@ std::optional<std::string> text_in_card(fitsfile* file, const char* name) {
   return text ? std::optional<std::string>(text->data()) : std::nullopt;
 }
 
-/// An image's layout, and the stored number that means 1 (`full`).
+/// Layout of an image, and the stored number that is read as 1 (`full`).
 struct Header {
   int bitpix = 0, width = 0, height = 0, planes = 1;
   double full = 1;
@@ -101,7 +101,7 @@ Header header_of(fitsfile* file) {
   return header;
 }
 
-/// Adds what the header says about a photograph, under EXIF's names; INSTRUME, GAIN, TIMESYS and DATAMAX keep theirs.
+/// Copies the header's data about a photograph under EXIF's names. INSTRUME, GAIN, TIMESYS and DATAMAX are not renamed.
 void add_cards(fitsfile* file, OIIO::ImageSpec& spec) {
   using Named = std::pair<const char*, const char*>;
   auto date = text_in_card(file, "DATE-OBS");
@@ -130,7 +130,7 @@ class FitsInput : public OIIO::ImageInput {
   bool open(const std::string& name, OIIO::ImageSpec& spec) override try {
     require_plain(name);
     int status = 0;
-    // An absolute path, because CFITSIO would take a leading ~ for a home folder. Nothing else in the path is special.
+    // An absolute path, because CFITSIO would replace a leading ~ by a home folder. No other character is special.
     fits_open_diskfile(&file_, std::filesystem::absolute(name).string().c_str(), READONLY, &status);
     require_success(status);
     header_ = header_of(file_);

@@ -63,7 +63,7 @@ class TiffTags {
   std::unique_ptr<TIFF, void (*)(TIFF*)> file_{nullptr, &TIFFClose};
 };
 
-/// The offset to be added to a band's numbers according to GDAL's metadata; 0 if the metadata give none.
+/// Offset that is to be added to a band's numbers according to GDAL's metadata; 0 if the metadata give none.
 double gdal_offset(const std::string& metadata) {
   const auto role = metadata.find("role=\"offset\"");
   if (role == metadata.npos) return 0;
@@ -97,7 +97,7 @@ void require_rec709(const fs::path& path, const TiffTags& tags) {
       throw cannot_read(path, "PrimaryChromaticities, allowed those of Rec. 709");
 }
 
-/// Honours what only the tags of a TIFF file say, or refuses the file if that is not possible.
+/// Honours the TIFF tags that OpenImageIO ignores, or refuses the file if one of these tags cannot be honoured.
 void heed_tiff(const fs::path& path, const OIIO::ImageSpec& spec, Storage& storage) {
   constexpr std::uint32_t dng_version = 50706, gdal_metadata = 42112, gdal_no_data = 42113;
   const int interpretation = spec.get_int_attribute("tiff:PhotometricInterpretation", 1);
@@ -146,7 +146,7 @@ using Colours = std::optional<ColourProfile>;
 /// A linear colour space and the identifier that files use for it.
 struct NamedSpace {
   std::string_view id;
-  std::array<double, 8> xy;  ///< x and y of red, green, blue, white
+  std::array<double, 8> xy;  ///< chromaticities x and y of red, green, blue and white
 };
 
 constexpr std::array<NamedSpace, 7> named_spaces{
@@ -158,13 +158,13 @@ constexpr std::array<NamedSpace, 7> named_spaces{
      {"lin_adobergb_scene", {0.64, 0.33, 0.21, 0.71, 0.15, 0.06, 0.3127, 0.329}},
      {"lin_ciexyzd65_scene", {1, 0, 0, 1, 0, 0, 1. / 3, 1. / 3}}}};
 
-/// Primaries and white of the linear space with this identifier; nothing if it is unknown.
+/// Primaries and white of the linear space with the given identifier; nothing if the identifier is unknown.
 std::optional<std::array<double, 8>> primaries_of(std::string_view id) {
   const auto known = std::ranges::find(named_spaces, id, &NamedSpace::id);
   return known != named_spaces.end() ? std::optional(known->xy) : std::nullopt;
 }
 
-/// Colour profile for code points of ITU-T H.273.
+/// Colour profile for primaries and a transfer function that are given as code points of ITU-T H.273.
 Colours by_code_points(const fs::path& path, unsigned primaries, unsigned transfer) {
   refuse_curve(path, transfer);
   const auto xy = primaries_of(primaries == 9    ? "lin_rec2020_scene"
@@ -173,7 +173,7 @@ Colours by_code_points(const fs::path& path, unsigned primaries, unsigned transf
   return xy ? ColourProfile::of_primaries(*xy, {}) : std::nullopt;
 }
 
-/// Colour profile of a HEIC or AVIF file. OpenImageIO ignores the box that holds it.
+/// Colour profile of a HEIC or AVIF file. It is in the file's `colr` box, which OpenImageIO ignores.
 Colours heif_colours(const fs::path& path, std::size_t channels) {
   const auto bytes = beginning_of(path);
   const std::string_view all(bytes);
@@ -187,7 +187,7 @@ Colours heif_colours(const fs::path& path, std::size_t channels) {
   return ColourProfile::of_icc(all.substr(at + 8, size - 12), channels);
 }
 
-/// Contents of a chunk before the pixels of a PNG file; nothing if there is no such chunk.
+/// Contents of the named chunk of a PNG file; nothing if there is no such chunk before the pixels.
 std::optional<std::string_view> chunk_of_png(std::string_view all, std::string_view name) {
   for (std::size_t at = 8; at + 8 <= all.size();) {
     const auto size = big_endian(all.substr(at, 4));
@@ -215,7 +215,7 @@ Colours png_colours(const fs::path& path, const OIIO::ImageSpec& spec) {
   return ColourProfile::of_primaries(all, power);
 }
 
-/// Contents of a chunk in a WebP file; nothing if there is no such chunk.
+/// Contents of the named chunk of a WebP file; nothing if there is no such chunk.
 std::optional<std::string_view> chunk_of_webp(std::string_view all, std::string_view name) {
   for (std::size_t at = 12; at + 8 <= all.size();) {
     std::string size_bytes(all.substr(at + 4, 4));
@@ -228,7 +228,7 @@ std::optional<std::string_view> chunk_of_webp(std::string_view all, std::string_
   return std::nullopt;
 }
 
-/// Honours the orientation and the profile in a WebP file's header, which OpenImageIO ignores.
+/// Honours the orientation and the colour profile in a WebP file's header, which OpenImageIO ignores.
 void heed_webp(const fs::path& path, Storage& storage) {
   const auto bytes = files::bytes_of(path);
   if (auto exif = chunk_of_webp(bytes, "EXIF")) {
@@ -241,7 +241,7 @@ void heed_webp(const fs::path& path, Storage& storage) {
     storage.colours = ColourProfile::of_icc(*icc, 3);
 }
 
-/// Colour profile of an OpenEXR file according to `colorInteropID`, or else `chromaticities`.
+/// Colour profile of an OpenEXR file according to `colorInteropID` or, if that is absent, `chromaticities`.
 Colours exr_colours(const OIIO::ImageSpec& spec) {
   const std::string id = spec.get_string_attribute("colorInteropID");
   if (id == "data") return std::nullopt;
@@ -260,7 +260,7 @@ Colours exr_colours(const OIIO::ImageSpec& spec) {
 }
 
 Colours colours_of(const fs::path& path, const OIIO::ImageInput& input) {
-  constexpr int uncalibrated = 65535;  // the EXIF value by which cameras mean Adobe RGB
+  constexpr int uncalibrated = 65535;  // value of EXIF's ColorSpace for Adobe RGB
   const auto& spec = input.spec();
   const std::size_t channels = spec.nchannels < 3 ? 1 : 3;
   const std::string_view format = input.format_name();

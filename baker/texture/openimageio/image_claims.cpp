@@ -29,7 +29,7 @@ class Reader {
       text += static_cast<char>(letter);
     return text;
   }
-  /// Reads bytes as text; empty if the file has fewer.
+  /// Reads the given number of bytes as text; returns an empty text if fewer bytes are left.
   std::string bytes(std::size_t count) {
     std::string text(count, '\0');
     if (!file_.read(text.data(), static_cast<std::streamsize>(count))) text.clear();
@@ -60,7 +60,7 @@ class Reader {
   std::uintmax_t size_;
 };
 
-/// Sizes of attribute types with a fixed size [bytes], which OpenEXR reads whatever the attribute's size field says.
+/// Sizes [bytes] of attribute types with a fixed size. OpenEXR reads this many, whatever an attribute's header says.
 const std::map<std::string_view, std::int64_t> fixed_sizes{
     {"box2f", 16},         {"box2i", 16},   {"chromaticities", 32},
     {"compression", 1},    {"double", 8},   {"envmap", 1},
@@ -71,7 +71,7 @@ const std::map<std::string_view, std::int64_t> fixed_sizes{
     {"v2d", 16},           {"v2f", 8},      {"v2i", 8},
     {"v3d", 24},           {"v3f", 12},     {"v3i", 12}};
 
-/// Skips a list of channels, each of which is a name, a pixel type and 12 bytes, and the empty name that ends the list.
+/// Skips a list of channels. Each channel is a name, a pixel type and 12 more bytes; an empty name ends the list.
 void pass_channels(Reader& file, const std::filesystem::path& path) {
   constexpr std::int64_t whole_number = 0, half = 1, floating = 2;
   for (auto name = file.name(); file.good() && !name.empty(); name = file.name()) {
@@ -134,7 +134,7 @@ void require_honest_png(const std::filesystem::path& path, Reader& file) {
   }
 }
 
-/// Skips segments of a JPEG file up to the frame header, and checks the size of the picture there.
+/// Skips a JPEG file's segments up to the frame header, and checks the picture's size that is given there.
 void require_honest_jpeg(const std::filesystem::path& path, Reader& file) {
   constexpr std::int64_t signature = 2, fill = 0xFF, start_of_scan = 0xDA;
   const auto next = [&](std::size_t count) {
@@ -152,7 +152,7 @@ void require_honest_jpeg(const std::filesystem::path& path, Reader& file) {
     if (alone) continue;
     const auto end = file.at() + next(2);
     if (frame) {
-      next(1);  // skip the number of bits
+      next(1);  // skips the number of bits per sample
       const auto height = next(2), width = next(2), channels = next(1);
       return require_numbers(path, static_cast<double>(height * width * channels));
     }
@@ -160,7 +160,7 @@ void require_honest_jpeg(const std::filesystem::path& path, Reader& file) {
   }
 }
 
-/// Checks the size of a GIF file's screen, whose bytes OpenImageIO counts in an int.
+/// Checks the size of a GIF file's logical screen, because OpenImageIO counts its bytes in an int.
 void require_honest_gif(const std::filesystem::path& path, Reader& file) {
   constexpr std::int64_t signature = 6, channels = 4;
   file.go_to(signature);

@@ -10,11 +10,11 @@
 
 namespace coppermoon::texture {
 
-/// All functions that need OpenImageIO. The program does not contain them: when it first calls one, it loads them from
-/// a module, coppermoon_images.so (image_module.cpp, loaded_images.cpp). Other programs have them in the library and do
-/// not use this.
+/// All functions that need OpenImageIO. The program does not contain them. When it first calls one, it loads all of
+/// them from a module, coppermoon_images.so (see image_module.cpp and loaded_images.cpp). Other programs get these
+/// functions from the library and do not use this struct.
 struct ImageFunctions {
-  const char* version;  ///< version of coppermoon to which they belong
+  const char* version;  ///< version of coppermoon to which the functions belong
 
   decltype(texture::read_image)* read_image;
   decltype(texture::read_channels)* read_channels;
@@ -45,7 +45,7 @@ struct ImageFunctions {
 /// Name of the only function that the module exports.
 inline constexpr const char* image_functions_name = "coppermoon_image_functions";
 
-/// Type of the function image_functions_name.
+/// Type of the only function that the module exports, image_functions_name.
 using GiveImageFunctions = const ImageFunctions*();
 
 }  // namespace coppermoon::texture

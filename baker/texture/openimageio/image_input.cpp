@@ -20,7 +20,7 @@ Error cannot_read(const fs::path& path, std::string_view reason) {
   return Error(fmt::format("{}: cannot be read: {}", path.string(), reason));
 }
 
-/// The first line of OpenImageIO's error message. It must always be fetched, or OpenImageIO prints it at exit.
+/// The first line of OpenImageIO's error message. The message must always be fetched, or OpenImageIO prints it at exit.
 std::string reason_of(OIIO::ImageInput* input) {
   auto text = input ? input->geterror() : std::string();
   const auto pending = OIIO::geterror();
@@ -54,9 +54,9 @@ struct Sign {
   const char* format;
 };
 
-/// OpenImageIO's name for the format of a file, found by its first bytes or else by its extension. If left to itself,
-/// OpenImageIO would try all other readers on a file that one reader refuses, even those for films and medical images.
-/// Most cameras' raw files begin like a TIFF; their extension tells them apart.
+/// OpenImageIO's name for the format of a file, found from its first bytes or else from its extension. Without a
+/// format, OpenImageIO would try all its readers if one refuses the file, even those for films and medical images. Most
+/// cameras' raw files begin like a TIFF, so these two are told apart by the extension.
 std::string format_of(const fs::path& path) {
   using namespace std::string_view_literals;
   constexpr std::array<Sign, 19> known{{{0, "v/1\x01"sv, "openexr"},

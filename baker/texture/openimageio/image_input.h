@@ -17,7 +17,7 @@ namespace coppermoon::texture {
 
 algebra::Error cannot_read(const std::filesystem::path& path, std::string_view reason);
 
-/// The first line of OpenImageIO's error message. It must always be fetched, or OpenImageIO prints it at exit.
+/// The first line of OpenImageIO's error message. The message must always be fetched, or OpenImageIO prints it at exit.
 std::string reason_of(OIIO::ImageInput* input);
 
 /// Whether a file is an OpenEXR file, judged by its first bytes.
@@ -28,22 +28,22 @@ bool has_openexr(const std::filesystem::path& path);
 /// Throws  Error  as for read_image
 std::unique_ptr<OIIO::ImageInput> opened(const std::filesystem::path& path);
 
-/// Whether an image is OpenEXR, the only format whose channel names and windows are taken from the file. PNG and TIFF
-/// files may state a position on a page, but that is not a window.
+/// Whether an image is an OpenEXR file. Channel names and windows are read only from such files. The position on a page
+/// in a PNG or TIFF file is not a window.
 bool is_openexr(const OIIO::ImageInput& input);
 
-/// OpenEXR's data window, which holds an image's texels, and its display window, which its picture fills. In other
-/// formats, both are the same.
+/// Data window (the area that has texels) and display window (the area of the picture) of an OpenEXR image. In other
+/// formats, both are the whole image.
 Windows windows_of(const OIIO::ImageInput& input);
 
-/// A run of rows of an image, with all its channels.
+/// Consecutive rows of an image, with all its channels.
 template <class T>
 struct RowsRead {
   std::size_t first_row, rows;
   std::vector<T> values;
 };
 
-/// Reads an image about 64 rows at a time, to save memory, and in whole rows of tiles if it is tiled.
+/// Calls `act` with about 64 rows of an image at a time, to save memory. A tiled image is read in whole rows of tiles.
 template <class T>
 void for_all_rows(OIIO::ImageInput& input, const std::filesystem::path& path, const auto& act) {
   const auto spec = input.spec();

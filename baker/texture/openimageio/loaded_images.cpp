@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The program's definitions of all functions that need OpenImageIO. They load it when one is first called, because
-// that takes 0.2 s. They are linked before the library, so that the library's definitions are left out.
+// The program's definitions of all functions that need OpenImageIO. The first call of any of them loads OpenImageIO,
+// which takes 0.2 s. In linking, these definitions come before the library, so that its own definitions are left out.
 #include <tbb/parallel_for.h>
 
 #include <cstddef>
@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using algebra::Error;
 
-/// Path of the module, which is beside the program after a build, or where it was installed.
+/// Path of coppermoon_images.so: after a build it is beside the program, otherwise where it was installed.
 ///
 /// Throws  Error  when the module is in neither place
 fs::path module_file() {
@@ -42,11 +42,11 @@ fs::path module_file() {
 /// Throws  std::bad_alloc
 void require_addresses() {
   constexpr std::size_t taken =
-      512U << 20U;  // 474 MB for the 269 libraries on Debian 12, 484 MB for the 296 on 13
+      512U << 20U;  // the 269 libraries of Debian 12 take 474 MB, the 296 of Debian 13 take 484 MB
   if (!files::has_addresses(taken)) throw std::bad_alloc();
 }
 
-/// Loads the module, which then stays loaded.
+/// Loads the module of functions that need OpenImageIO. It then stays loaded.
 ///
 /// Throws  Error  (one line, naming the module's path) if the module is missing, if it or one of its libraries cannot
 ///                be loaded, or if it belongs to another version of coppermoon
@@ -71,16 +71,16 @@ const ImageFunctions& images() {
 
 ImagesAhead::ImagesAhead() {
   if (files::addresses_are_limited()) return;
-  // Starts oneTBB first, because it also loads libraries, and would otherwise have to wait for those of the module.
+  // oneTBB is started first, because it also loads libraries and would otherwise have to wait for those of the module.
   tbb::parallel_for(0, 2, [](int) {});
   try {
     loading_ = std::thread([] {
       try {
         images();
-      } catch (...) {  // the first use of an image tries again, and reports the error
+      } catch (...) {  // the first use of an image tries again and reports the error
       }
     });
-  } catch (const std::system_error&) {  // no thread: the module is loaded later
+  } catch (const std::system_error&) {  // without a thread, the module is loaded later
   }
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int tile_side = 64;
 
-/// Halves a row of texels. A share is the weight of one old texel in one new texel.
+/// Halves a row or column of texels. `share` is the weight of one old texel in one new texel.
 struct Halving {
   std::size_t from, to;
 
@@ -28,7 +28,7 @@ struct Halving {
   }
 };
 
-/// The next level of a mip-map, at half the size. Each texel is the mean over its area. It is filled as rows arrive.
+/// The next smaller level of a mip-map, filled as rows of the larger one arrive. Each texel is the mean over its area.
 class NextLevel {
  public:
   explicit NextLevel(const Layout& layout)
@@ -82,10 +82,10 @@ OIIO::ImageSpec mipmap_spec(const Layout& layout, ExrType type, const Attributes
   auto spec = exr_spec(layout, type, attributes);
   spec.tile_width = spec.tile_height = tile_side;
   spec.tile_depth = 1;
-  spec.attribute("compression", "zip");  // because tiles are read one by one
+  spec.attribute("compression", "zip");  // suits tiles that are read one by one
   spec.attribute("textureformat", "Plain Texture");
   spec.attribute("wrapmodes", "periodic,clamp");
-  spec.attribute("openexr:roundingmode", 0);  // each level is half of the last, rounded down
+  spec.attribute("openexr:roundingmode", 0);  // each level's size is half the last, rounded down
   return spec;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Includes OpenImageIO after fmt, so that it uses the program's fmt. Otherwise it would compile its own copy, whose
-// functions have the same names but end the program where ours throw, and which might be linked in place of ours.
+// Includes fmt before OpenImageIO, so that OpenImageIO uses the program's fmt. Its own copy of fmt has functions of the
+// same names, which abort where ours throw, and which might be linked in place of ours.
 #pragma once
 
 #include <fmt/format.h>

@@ -8,12 +8,12 @@
 
 namespace coppermoon::texture {
 
-/// Encodes a developed picture of the globe as a PNG, to be put into a file for 3D viewers.
+/// Encodes a display-referred texture of the globe as a PNG, to be embedded in a file for 3D viewers.
 ///
-/// Given   path  path of that file, for error messages
+/// Given   path  path of the file for 3D viewers, for error messages
 ///         bits  8 or 16
-/// Throws  Error  when values are outside 0 to 1, the shape is not 2:1, channels are not 1 or 3, or the width is above
-///                most_glb_columns
+/// Throws  Error  when a value is outside 0 to 1, the shape is not 2:1, the number of channels is not 1 or 3, or the
+///                width is above most_glb_columns
 std::string picture_on_globe(const std::filesystem::path& path, const Image& image, int bits = 8);
 
 }  // namespace coppermoon::texture

@@ -15,8 +15,8 @@ namespace {
 
 constexpr const char* format = "raw";
 
-/// Rows of the matrix that converts the camera's channels, balanced for D65, to linear Rec. 709. LibRaw's has four
-/// columns, because some cameras have four channels.
+/// Matrix, row by row, that converts a camera's channels, white-balanced for D65, to linear Rec. 709. It has four
+/// columns, as in LibRaw, because some cameras have four channels.
 using Matrix = std::array<float, 12>;
 
 Matrix matrix_of(const glm::dmat3& given) {
@@ -40,7 +40,7 @@ Matrix matrix_of(const std::filesystem::path& path, const OIIO::ImageSpec& spec)
   return matrix;
 }
 
-/// Marks pixels with a clipped channel: above 0.99, because cameras saturate up to 1 % below their nominal white level.
+/// Marks pixels with a clipped channel. The limit is 0.99, because cameras saturate up to 1 % below nominal white.
 std::vector<std::uint8_t> clipped_in(const Image& camera) {
   constexpr float saturated = 0.99F;
   std::vector<std::uint8_t> clipped(camera.width * camera.height);
@@ -51,7 +51,7 @@ std::vector<std::uint8_t> clipped_in(const Image& camera) {
   return clipped;
 }
 
-/// Extends marked pixels by all eight neighbours, which is as far as linear interpolation reaches.
+/// Also marks all eight neighbours of each marked pixel, because linear interpolation reaches that far.
 std::vector<std::uint8_t> with_neighbours(const std::vector<std::uint8_t>& clipped,
                                           std::size_t width, std::size_t height) {
   auto all = clipped;

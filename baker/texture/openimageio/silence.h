@@ -6,8 +6,8 @@
 namespace coppermoon::texture {
 
 /// Silences stderr for all threads as long as any Silence exists. It is for libpng, libjpeg and libtiff, whose messages
-/// about files that end early only repeat what an Error reports. Our own code must not print meanwhile. OpenEXR prints
-/// nothing, so it needs no Silence.
+/// about truncated files only repeat what an Error reports. Our own code must not print meanwhile. OpenEXR prints
+/// nothing, so no Silence is needed for it.
 class Silence {
  public:
   Silence();

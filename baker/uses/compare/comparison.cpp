@@ -52,7 +52,7 @@ std::optional<std::array<double, 2>> uv_of(const glm::dvec3& rgb) {
   return std::array{4 * xyz.x / whole, 9 * xyz.y / whole};
 }
 
-/// CIELAB colour of a pixel as displayed, with each channel clipped to 0 to 1.
+/// CIELAB colour of a pixel as displayed, with each channel clipped to the range 0 to 1.
 colour::Lab developed(const glm::dvec3& rgb) {
   return colour::lab_from_xyz(xyz_from_rgb() * glm::clamp(rgb, 0., 1.));
 }
@@ -124,7 +124,7 @@ bool any_channel_reaches(const glm::dvec3& rgb, double value) {
   return std::max({rgb.r, rgb.g, rgb.b}) >= value;
 }
 
-/// Median, or the larger of the two middle values. Reorders the values.
+/// Median. If the number of values is even, the larger of the two middle values. Reorders `values`.
 double median(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -136,7 +136,7 @@ double median(std::vector<double>& values) {
 std::optional<double> axis_distance_km(const almanac::SkyState& sky,
                                        const eclipse::ShadowAxis& axis,
                                        const povray_scenes::Sight& sight, const glm::dvec2& pixel) {
-  constexpr double least_emission_cosine = 0.25;  // at 0.97 of the disc's radius
+  constexpr double least_emission_cosine = 0.25;  // reached at 0.97 of the disc's radius
   const auto ground = povray_scenes::ground_at(sight, pixel);
   if (!ground ||
       glm::dot(*ground, glm::normalize(sight.position - *ground)) < least_emission_cosine)
@@ -144,8 +144,8 @@ std::optional<double> axis_distance_km(const almanac::SkyState& sky,
   return algebra::in_kilometres(eclipse::place_of_ground(axis, sky, *ground).axis_distance);
 }
 
-/// Light of a photograph over the disc, averaged over square blocks of pixels: no larger than the render's pixels, unless
-/// the photograph has more than a million blocks.
+/// Light of a photograph over the disc, averaged over square blocks of pixels, and of the render at the same places.
+/// Blocks are no larger than the render's pixels, unless the photograph would then have over a million blocks.
 Pixels shared_pixels(const texture::Image& photo, const texture::Image& render,
                      const almanac::SkyState& sky, const povray_scenes::SceneCamera& camera,
                      const colour::Similarity& render_to_photo) {
@@ -203,22 +203,22 @@ double fitted_exposure(const Pixels& pixels) {
   return median(ratios);
 }
 
-/// Light of a render as a camera writes it, linear Rec.709.
+/// Light of a render as a camera writes it, in linear Rec.709.
 glm::dvec3 written(const CameraColours& colours, const glm::dvec3& rgb) {
   const auto xyz = xyz_from_rgb() * rgb;
   const auto by = rec709_by(colours, std::array{xyz.x, xyz.y, xyz.z}, 0);
   return {by[0], by[1], by[2]};
 }
 
-constexpr double step_of_light = 0.1;  // in the logarithm
+constexpr double step_of_light = 0.1;  // step of the logarithm of light
 
-/// A step of the light that a camera writes in one channel.
+/// Pixels whose rendered light in one channel lies within the same step.
 struct LightStep {
   std::vector<double> displayed;
-  double of_red = 0, of_blue = 0;  ///< sum of the shares that come from the camera's red and blue
+  double of_red = 0, of_blue = 0;  ///< sums of the shares of light from the camera's red and blue
 };
 
-/// Steps of light, by [logarithm in steps, channel].
+/// Pixels sorted by steps of rendered light. Keys are the logarithm of light in steps, and the channel.
 std::map<std::pair<long, int>, LightStep> light_steps(const Pixels& pixels,
                                                       const CameraColours& colours) {
   std::map<std::pair<long, int>, LightStep> steps;
@@ -239,7 +239,7 @@ std::map<std::pair<long, int>, LightStep> light_steps(const Pixels& pixels,
   return steps;
 }
 
-/// Makes displayed light scene-linear, and the render what the camera writes of it.
+/// Converts the photograph's displayed values to scene-linear light, and the render to the light that a camera writes.
 void undo(const CameraWriting& writing, Pixels& pixels) {
   const colour::ToneTable table(writing.curve);
   for (auto& pixel : pixels) {
@@ -305,7 +305,7 @@ CameraWriting fitted_writing(const Pixels& pixels, const CameraColours& colours)
   auto& gains = found.colours.gains;
   for (std::size_t round = 0; round < most_rounds; ++round) {
     Eigen::Matrix<double, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime> normal;
-    normal.setIdentity();  // unit Gaussian prior
+    normal.setIdentity();  // because the prior is a unit Gaussian
     Vector sums = Vector::Zero();
     sums[1] = std::log(colours.gains.r / gains.r) / of_colours;
     sums[2] = std::log(colours.gains.b / gains.b) / of_colours;

@@ -30,8 +30,8 @@ texture::Image resampled(const texture::Image& image, const colour::Similarity& 
 /// A pixel of a photograph, or the mean over a block of its pixels, and the render at the same place.
 struct SharedPixel {
   double axis_distance_km;
-  glm::dvec3 photo;         ///< linear Rec.709; 1 saturates
-  glm::dvec3 render_cd_m2;  ///< linear Rec.709
+  glm::dvec3 photo;         ///< photograph's light, in linear Rec.709; 1 saturates
+  glm::dvec3 render_cd_m2;  ///< render's light, in linear Rec.709
   bool clipped;             ///< whether the photograph is clipped here
 };
 
@@ -39,14 +39,14 @@ struct SharedPixel {
 /// photograph's pixels are black, the optional values are left empty, because the mean would be too bright.
 struct Difference {
   double from_km = 0, to_km = 0;  ///< range of distances from the shadow's axis
-  std::size_t pixels = 0;         ///< number of pixels not clipped
+  std::size_t pixels = 0;         ///< number of pixels that are not clipped
   std::size_t clipped = 0;
   std::size_t black = 0;  ///< how many of `pixels` have no light in the photograph
-  /// Photograph's mean luminance relative to the render's.
+  /// Mean luminance of the photograph relative to that of the render [stops].
   std::optional<double> stops = {};
   std::optional<std::array<double, 2>> photo_uv = {},
                                        render_uv = {};  ///< CIE 1976 u', v' of the mean light
-  std::optional<double> delta_e_2000 = {};              ///< mean over all pixels as displayed
+  std::optional<double> delta_e_2000 = {};              ///< mean colour difference, as displayed
 };
 
 template <class Field>
@@ -77,18 +77,18 @@ void describe(Field&& is, const Difference& difference) {
 std::vector<Difference> differences(const std::vector<SharedPixel>& pixels, double exposure,
                                     std::size_t bins);
 
-/// How a camera wrote a photograph.
+/// How a camera converted light to the values in a photograph.
 struct CameraWriting {
   colour::ToneCurve curve;
-  CameraColours colours;  ///< with the gains that suit best
+  CameraColours colours;  ///< camera's colours, with the best-fitting gains
 };
 
-/// Finds a camera's tone curve and its gains of red and blue from pixels as displayed.
+/// Fits a camera's tone curve and its gains of red and blue to pixels as displayed.
 ///
-/// Exposure is free, gains have an error of 0.3 in the logarithm about those given, light has one of 3 % in each step
-/// of the render's light. Levels outside colour::least_displayed to most_displayed say nothing. Errors of the render
-/// in bright and dark parts are absorbed by the curve, within the range of real cameras; what the observer's air
-/// reddens is absorbed by the gains.
+/// The exposure is free. The logarithms of the gains have an error of 0.3 about the given values. Light has an error of
+/// 3 % in each step of the render's light. Levels outside colour::least_displayed to most_displayed are ignored. The
+/// curve absorbs errors of the render in bright and dark parts, within the range of real cameras. The gains absorb the
+/// reddening by the observer's air.
 ///
 /// Throws  Error  when there are fewer than three steps of light
 CameraWriting fitted_writing(const std::vector<SharedPixel>& pixels, const CameraColours& colours);
@@ -96,31 +96,30 @@ CameraWriting fitted_writing(const std::vector<SharedPixel>& pixels, const Camer
 /// A photograph compared with a render.
 struct Comparison {
   colour::Registration registration;
-  double exposure, fitted_exposure;     ///< pixel value of 1 cd/m²: as used, and as fitted
-  std::vector<Difference> differences;  ///< as from differences()
+  double exposure, fitted_exposure;     ///< pixel value for 1 cd/m², as used and as fitted
+  std::vector<Difference> differences;  ///< result of differences()
   texture::Image
-      render;  ///< with glow, at the exposure used, linear Rec.709, as the camera writes it
-  std::optional<CameraWriting> writing{};  ///< the camera's, if it was fitted
+      render;  ///< render with glow, at the exposure used, as the camera writes it, in linear Rec.709
+  std::optional<CameraWriting> writing{};  ///< the camera's tone curve and gains, if fitted
 };
 
 /// Settings for comparing a photograph with a render.
 struct ComparisonRequest {
-  std::optional<colour::Exposure> exposure = {};  ///< fitted if absent
+  std::optional<colour::Exposure> exposure = {};  ///< the photograph's exposure; fitted if absent
   std::optional<CameraColours> colours =
-      {};                 ///< of a camera that wrote the photograph itself; its tone curve and its
-                          ///< gains are then fitted
-  double glow = 0;        ///< share of light scattered by optics and air: colour::with_glow
-  std::size_t bins = 12;  ///< steps of axis distance, 1 to 1000
+      {};                 ///< camera's colours; if set, its tone curve and gains are fitted
+  double glow = 0;        ///< share of light that optics and air scatter, for colour::with_glow
+  std::size_t bins = 12;  ///< number of ranges of distance from the shadow's axis, 1 to 1000
 };
 
-/// Registers a rendered frame in a photograph, adds glow and exposure to it, and compares the two. Where the photograph
-/// is finer than the frame, it is averaged over blocks no larger than the frame's pixels: noise and detail that the frame
-/// cannot show are no difference between the two.
+/// Registers a rendered frame in a photograph, adds glow and exposure to the frame, and compares the two. If the
+/// photograph is finer than the frame, it is averaged over blocks no larger than the frame's pixels, so that noise and
+/// detail that the frame cannot show do not count as differences.
 ///
-/// Given   photo        linear Rec.709; 1 saturates
-///         frame        linear Rec.709 [cd/m²], without glow
+/// Given   photo        in linear Rec.709; 1 saturates
+///         frame        in linear Rec.709 [cd/m²], without glow
 ///         sky, camera  those with which the frame was rendered
-/// Throws  Error  if the camera is not sound or differs from the frame in size; if every pixel is clipped or is black
+/// Throws  Error  if the camera is not valid or differs from the frame in size; if every pixel is clipped or is black
 ///                in one of the pictures; if fewer than three levels of light remain to fit a tone curve; also as
 ///                colour::registered and with_glow
 Comparison compared(const texture::Image& photo, const texture::Image& frame,

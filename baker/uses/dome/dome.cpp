@@ -76,7 +76,7 @@ void add(texture::Image& image, std::size_t row, std::size_t column, const Rgb& 
 /// The Moon's place and brightness for an observer.
 struct MoonOver {
   std::vector<double> magnitudes;  ///< by band, as seen from the Earth's centre without air
-  Rgb lux{};  ///< through the air, on a surface that faces the Moon; 0 below the horizon
+  Rgb lux{};  ///< on a surface that faces the Moon, through the air; 0 if the Moon is down
   povray_scenes::HorizonPlace place;
 };
 
@@ -99,7 +99,7 @@ View view_around(const ViewRequest& request, const atmosphere::ObserverAir& air)
   return view;
 }
 
-/// Spreads a point's light over the four nearest texels, weighted by distance. Rows below the horizon get none of it.
+/// Spreads a point's light over the four nearest texels, weighted by distance. Rows below the horizon get no light.
 void add_point(texture::Image& image, const Directions& all,
                const povray_scenes::HorizonPlace& place, const Rgb& lux) {
   const auto [x, y] = all.place(place.altitude, place.azimuth);

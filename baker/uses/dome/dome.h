@@ -16,7 +16,7 @@ namespace coppermoon::uses {
 
 /// Settings for a picture of the whole sky.
 struct DomeRequest {
-  std::size_t width = 2048;  ///< [texels], 16 to 16384, a multiple of 4; the height is half of it
+  std::size_t width = 2048;  ///< [texels], a multiple of 4 from 16 to 16384; the height is half
   TextureContent content{};  ///< colour space and number type
   bool moon = false;         ///< whether to include the Moon itself, as a uniform disc
   double ground_albedo = 0;  ///< albedo of the ground below the horizon, 0 (black) to 1
@@ -31,9 +31,9 @@ void require_sound(const DomeRequest& dome);
 /// Summary of a dome's light: illuminances, zenith luminance, extinction, and the altitudes of the Moon and the Sun.
 struct DomeFigures {
   double zenith_cd_m2 = 0;  ///< luminance of the zenith, without stars
-  double sky_lx = 0;        ///< on level ground, from the sky and stars without the Moon itself
-  double moon_lx = 0;       ///< from the Moon, on a surface that faces it
-  povray_scenes::HorizonPlace moon;  ///< apparent place, including refraction
+  double sky_lx = 0;        ///< illuminance on level ground by sky and stars, without the Moon
+  double moon_lx = 0;       ///< illuminance by the Moon on a surface that faces it
+  povray_scenes::HorizonPlace moon;  ///< apparent place of the Moon, with refraction
   algebra::Angle sun_altitude;       ///< without refraction
   double extinction_mag = 0;
 };
@@ -70,18 +70,18 @@ struct Dome {
 ///
 /// The sky's luminance comes from ClearSky. Stars and planets are points. Each is spread over the four nearest texels,
 /// whose luminance times solid angle adds up to the star's illuminance through the air. The Moon, if requested, is a
-/// uniform disc with the illuminance from brightness_of. Leave it out if the scene contains a Moon of its own. The
-/// ground is diffuse and lit by the sky, the stars and the Moon.
+/// uniform disc with the illuminance from brightness_of. Leave it out if the scene has a Moon of its own. The ground
+/// is diffuse and lit by the sky, the stars and the Moon.
 ///
 /// Moonlight is scattered as in ScatteredColour, with the eclipsed Moon's B − V and V − R. Twilight has the colour from
 /// atmosphere::TwilightSky, airglow has B − V = 1.03 and V − R = 0.74 (Patat 2003), and stars are as in StarLights.
 ///
-/// Given     moon      at any moment; when it is below the horizon it gives no light
-///           view      gives the observer, the air and the stars (down to V = 6.5 unless it sets another limit)
-/// Returned  [cd/m²]   finite and not negative in every direction
-/// Accuracy  that of ClearSky; 1e-3 in the illuminance from stars, 1e-2 in the illuminance from the Moon
+/// Given     moon      may be at any moment; a Moon below the horizon gives no light
+///           view      gives the observer, the air and the stars (down to V = 6.5 unless the view sets another limit)
+/// Returned  luminances [cd/m²], finite and not negative in every direction
+/// Accuracy  that of ClearSky; relative errors of 1e-3 in the illuminance by stars and 1e-2 in that by the Moon
 /// Omits     towns, Milky Way, zodiacal light, clouds, and stars that a high observer sees below the horizontal
-/// Throws    Error     if there is no observer or a catalogue is damaged; also as require_sound and air_over
+/// Throws    Error     if there is no observer, if a catalogue is damaged, or if require_sound or air_over does
 /// Source    colours of the night: Patat (2003), A&A 400, 1183
 Dome dome_over(const DomeRequest& request, const LitMoon& moon, const ViewRequest& view);
 

@@ -38,14 +38,14 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Number of wavelengths, and number of terms that describe the Sun's disc, in the page's sums of light.
+/// Number of wavelengths, and number of terms for the Sun's disc, with which the page computes light.
 constexpr int bands = 40, sun_terms = 3;
 
-/// Time by which the page's time range extends before the first contact and after the last [s].
+/// Time that the page covers before the first contact and after the last [s].
 constexpr double margin_s = 600;
 
 constexpr std::size_t map_rows = 1024;
-/// Largest longitude that libration can bring into view [degrees].
+/// Largest lunar longitude that libration can bring into view [degrees].
 constexpr double seen_longitude = 99;
 
 constexpr std::size_t cities = 1500;
@@ -57,7 +57,7 @@ std::vector<std::string> views_shown() {
   return views;
 }
 
-/// Milliseconds since 1970 in JavaScript's Date, which ignores leap seconds.
+/// Milliseconds since 1970 as counted by JavaScript's Date, which ignores leap seconds.
 double unix_ms(const almanac::Instant& when) {
   const auto text = almanac::utc_text(when, 3);
   const auto date = text.substr(0, text.find('T'));
@@ -126,8 +126,8 @@ ordered_json add_map(PageArrays& arrays, const MoonRequest& request) {
           {"longitudes", 360. * static_cast<double>(width) / columns}};
 }
 
-/// Adds the brightness across the Sun's disc, and the weights of all wavelengths in the channels red, green, blue and
-/// V. There are two sets of weights, for the Moon's reddest ground and for its bluest.
+/// Adds the brightness across the Sun's disc, and the weights of the wavelengths in the channels red, green, blue and
+/// V. There are two sets of weights, one for the Moon's reddest ground and one for its bluest.
 ordered_json add_sunlight(PageArrays& arrays, bool limb_darkening,
                           const std::vector<double>& wavelengths) {
   const auto terms = photons::disc_terms(wavelengths, limb_darkening, sun_terms);
@@ -154,7 +154,7 @@ ordered_json add_sunlight(PageArrays& arrays, bool limb_darkening,
           {"VAt1au", meter.sunlight[V_band]}};
 }
 
-/// Adds vertical optical depths of molecules, ozone and aerosol above sea level, with the default air for observers.
+/// Adds the vertical optical depths of molecules, ozone and aerosol above sea level in the observer's default air.
 void add_observer_air(PageArrays& arrays, const std::vector<double>& wavelengths) {
   const ViewRequest usual;
   const atmosphere::ObserverAir air{.ozone_du = usual.observer_ozone_du,
@@ -174,7 +174,7 @@ void add_observer_air(PageArrays& arrays, const std::vector<double>& wavelengths
 /// Airglow on a dark night and scattered moonlight are tabulated by the square root of the Moon's altitude. All
 /// altitudes are without refraction.
 ///
-/// Returned  first value and step of each table's variable [degrees]
+/// Returned  first value and step of each variable of the tables [degrees]
 ordered_json add_sky(PageArrays& arrays, almanac::SkyState sky) {
   constexpr std::array elevations_km{0., 4.};
   constexpr std::size_t sun_nodes = 45, beside_nodes = 5, up_nodes = 20;
@@ -189,7 +189,7 @@ ordered_json add_sky(PageArrays& arrays, almanac::SkyState sky) {
     const almanac::Observer place{{}, {}, algebra::kilometres(km)};
     const auto stand = almanac::view_from(place, sky);
     const auto air = air_over(place, {});
-    // puts the Sun in the north and the Moon in the south
+    // light of the sky around the Moon, with the Sun in the north and the Moon in the south
     const auto sky_over = [&](double sun_deg, double moon_deg, double V) {
       const auto put = [&](double distance_m, double altitude_deg, double to_north) {
         const double altitude = algebra::in_radians(algebra::degrees(altitude_deg));
@@ -225,7 +225,7 @@ ordered_json add_sky(PageArrays& arrays, almanac::SkyState sky) {
           {"moonV", moon_V}};
 }
 
-/// A view's table has equal steps of log2(1 + gain x) / stops from 0 to 1 along each axis, where x is a colour channel.
+/// Along each axis, a view's table has equal steps of log2(1 + gain x) / stops from 0 to 1. x is a colour channel.
 constexpr int table_size = 33;
 constexpr double table_gain = 1024, table_stops = 17;
 
@@ -285,7 +285,7 @@ void add_names(PageArrays& arrays) {
   arrays.add("features", text);
 }
 
-/// Names of the contacts, and their times [ms].
+/// Names of the contacts, and their times [ms since 1970].
 ordered_json contacts_in_ms(const eclipse::Eclipse& eclipse) {
   ordered_json all;
   for (const auto& [name, when] : eclipse::contacts_of(eclipse))
@@ -293,7 +293,7 @@ ordered_json contacts_in_ms(const eclipse::Eclipse& eclipse) {
   return all;
 }
 
-/// Clearness of the air for each step of Danjon's scale. The list is empty if the air has no belts.
+/// Clearness of the air for each step of Danjon's scale. The list is empty if the air has no latitude belts.
 ordered_json danjon_steps(const atmosphere::Atmosphere& air, const almanac::SkyState& sky) {
   ordered_json steps = ordered_json::array();
   if (air.belts.empty()) return steps;

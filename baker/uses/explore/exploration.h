@@ -28,9 +28,9 @@ struct Exploration {
 };
 
 /// Collects the data for a page: limb rays, motions, albedo, colour responses, views, cities and lunar features. The
-/// page itself sums the refracted light from the rays, as shadow::by_quadrature does.
+/// page itself computes the refracted light from the rays, as shadow::by_quadrature does.
 ///
-/// Throws  Error  as normal_albedo and atmosphere_of
+/// Throws  Error  if normal_albedo or atmosphere_of does
 Exploration exploration_of(const eclipse::Eclipse& eclipse, const ExploreRequest& request,
                            const algebra::Progress& progress = {});
 

@@ -25,8 +25,8 @@ using nlohmann::ordered_json;
 
 constexpr int refractivities = 3;
 
-/// Number of harmonics of position angle in the limb's series. If the air has belts, the light is within 0.2 % of the
-/// full series. Borders of regions are smoothed over about ten degrees.
+/// Number of harmonics in the series that describe the limb by position angle. For air with latitude belts, they give
+/// the light to within 0.2 %. Borders of regions are smoothed over about ten degrees.
 constexpr int most_harmonics = 24;
 
 std::vector<double> tangent_heights_m(const atmosphere::Atmosphere& air) {
@@ -35,7 +35,7 @@ std::vector<double> tangent_heights_m(const atmosphere::Atmosphere& air) {
     for (double h = heights.empty() ? 0 : heights.back() + step; h <= to && h <= air.top_m();
          h += step)
       heights.push_back(h);
-  for (const auto* column : air.columns()) {  // adds the edges of dust and cloud layers
+  for (const auto* column : air.columns()) {  // adds heights at the edges of dust and cloud layers
     if (column->dust_extinction_per_m > 0)
       heights.insert(heights.end(), {column->dust_bottom_m, column->dust_top_m});
     if (column->cloud_cover > 0) heights.push_back(column->cloud_top_m);
@@ -58,12 +58,12 @@ void set_aerosol(Column& column, double depth) {
       std::make_shared<atmosphere::StratosphericLayer>(depth, column.tropopause_m);
 }
 
-/// Data for the rays of one part of the limb, in the order of the page's arrays.
+/// Data on the rays past one part of the limb, in the order of the page's arrays.
 struct PartRays {
   std::vector<double> bending, excess_km, amounts, spectra, aerosol;
 };
 
-/// Concatenates one of the arrays over all parts of the limb.
+/// Concatenates one of the arrays in PartRays for all parts of the limb.
 std::vector<double> joined(const std::vector<PartRays>& parts,
                            std::vector<double> PartRays::*rows) {
   std::vector<double> all;
@@ -71,7 +71,7 @@ std::vector<double> joined(const std::vector<PartRays>& parts,
   return all;
 }
 
-/// Traces the rays for a part of the limb.
+/// Traces the rays past one part of the limb.
 struct Follower {
   std::vector<double> heights_m, nodes;
   std::vector<atmosphere::Optics> optics;
@@ -80,7 +80,7 @@ struct Follower {
     PartRays rays;
     const auto& column = part.column;
     const photons::ProfileTable table(column);
-    std::vector<std::vector<photons::LimbPath>> paths;  // [height][node]
+    std::vector<std::vector<photons::LimbPath>> paths;  // [height][refractivity]
     for (const double height : heights_m)
       paths.push_back(photons::limb_paths(height, part.curvature_radius_m, column, nodes, &table));
     for (std::size_t node = 0; node < nodes.size(); ++node)
@@ -110,7 +110,7 @@ struct Follower {
 
   /// Adds the optical depths of stratospheric aerosol along rays that are traced at the middle refractivity.
   void add_aerosol(const photons::WholeLimb::Part& part, PartRays& rays) const {
-    const double middle = nodes[(nodes.size() - 1) / 2];  // leaves out the last node, which is 0
+    const double middle = nodes[(nodes.size() - 1) / 2];  // without the last node, which is 0
     for (const double depth : aerosol_steps) {
       Column hazy = part.column;
       set_aerosol(hazy, depth);
@@ -125,7 +125,7 @@ struct Follower {
 
 double stratospheric_depth(const Column& column) {
   if (column.stratospheric_layer) return column.stratospheric_layer->optical_depth();
-  constexpr std::array depths{0., 0.008, 0.028, 0.086, 0.262};  // for each StratosphericAerosol
+  constexpr std::array depths{0., 0.008, 0.028, 0.086, 0.262};  // one for each StratosphericAerosol
   return depths[static_cast<std::size_t>(column.stratosphere)];
 }
 
@@ -161,7 +161,7 @@ void add_spectra_of_aerosol(PageArrays& arrays, std::span<const double> waveleng
   arrays.add("limb.aerosolSpectra", spectra);
 }
 
-/// Adds spectra of the stratospheric aerosol recorded in the month, for each of aerosol_steps; 0 if none was recorded.
+/// Adds the spectrum of the month's recorded stratospheric aerosol for each of aerosol_steps; 0 if there is no record.
 void add_recorded_spectra(PageArrays& arrays, const photons::WholeLimb& limb,
                           std::span<const double> wavelengths_nm) {
   std::vector<double> numbers;
@@ -195,7 +195,7 @@ ordered_json add_limb_rays(PageArrays& arrays, const atmosphere::Atmosphere& atm
                            std::span<const double> wavelengths_nm) {
   Follower follower{
       tangent_heights_m(atmosphere), {}, shadow::optics_of(atmosphere, wavelengths_nm)};
-  // one wavelength and two rays suffice, because only the limb's division into parts is needed
+  // one wavelength and two rays are enough, because only the limb's division into parts is needed
   const photons::WholeLimb limb(atmosphere, std::span(follower.optics).first(1), 2);
   const auto& first = limb.parts()[0].column;
   follower.nodes = photons::refractivity_nodes(first, follower.optics, refractivities);

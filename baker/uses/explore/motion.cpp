@@ -33,7 +33,7 @@ void append(std::vector<double>& all, const glm::dmat3& matrix) {
     for (int row = 0; row < 3; ++row) all.push_back(matrix[column][row]);
 }
 
-/// Greenwich sidereal time [rad], as the right ascension of the zenith at latitude 0 and longitude 0.
+/// Greenwich sidereal time [rad], found as the right ascension of the zenith at latitude 0 and longitude 0.
 double sidereal_time(const almanac::SkyState& sky) {
   const auto zenith = sky.equator_from_gcrs * almanac::view_from({}, sky).zenith;
   return std::atan2(zenith.y, zenith.x);

@@ -10,7 +10,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Replaces each character of a string that has an entry in `escapes` with its escape.
+/// Replaces each character of a text that has an entry in `escapes` with that entry.
 std::string escaped(const std::string& text, const std::map<char, const char*>& escapes) {
   std::string safe;
   for (const char letter : text) {

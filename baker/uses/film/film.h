@@ -23,8 +23,8 @@ inline constexpr const char* texture_stem = "moon_lin_rec709";
 /// Kinds of files to make for each frame. If none is chosen, only the film's light is computed.
 struct Products {
   bool light = false, textures = false, scenes = false, frames = false, pictures = false;
-  bool mipmapped = false;   ///< write textures as tiled, mip-mapped .tx files
-  bool high_range = false;  ///< also make a high-dynamic-range version of each picture
+  bool mipmapped = false;   ///< whether textures are tiled, mip-mapped .tx files
+  bool high_range = false;  ///< whether each picture also has a high-dynamic-range version
 
   bool light_alone() const { return !textures && !scenes && !frames && !pictures; }
   bool framed() const { return scenes || rendered(); }  ///< whether a camera is needed
@@ -33,8 +33,8 @@ struct Products {
 
 /// A film: what was requested, the moments of its frames, its folder, and the light that all frames share.
 struct Film {
-  FrameRate fps = {};  ///< 1 to 1000
-  MoonRequest moon;    ///< its texture width is set by set_up
+  FrameRate fps = {};  ///< frames per second, 1 to 1000
+  MoonRequest moon;    ///< request for the Moon; set_up sets its texture width
   ViewRequest view;
   Development development;
   TextureContent content;
@@ -42,12 +42,12 @@ struct Film {
   std::optional<double> bracket_ev;
   Products products;
   std::filesystem::path folder;
-  std::filesystem::path scene = {};  ///< the user's POV-Ray scene; if empty, only the Moon
+  std::filesystem::path scene = {};  ///< user's POV-Ray scene; if empty, only the Moon is shown
   Moments moments{};
   FilmRecord record{};
   std::shared_ptr<const Moonlight> light{};
-  std::shared_ptr<const algebra::Grid<float>> albedo{};  ///< at the textures' resolution
-  std::shared_ptr<const surface::Ground> ground{};  ///< colour and surge at each place, if used
+  std::shared_ptr<const algebra::Grid<float>> albedo{};  ///< map at the textures' resolution
+  std::shared_ptr<const surface::Ground> ground{};       ///< maps of colour and surge, if used
   /// Exposure times [s] at certain moments, in order of time. If empty, `development` sets the exposure time.
   std::vector<std::pair<almanac::Instant, double>> time_keys{};
 
@@ -62,14 +62,14 @@ struct Film {
   std::filesystem::path picture(std::size_t frame, const char* stem = "frame") const;
   std::filesystem::path high_range_picture(std::size_t frame) const;
 
-  /// All files that the products require for a frame.
+  /// Paths of all files that the film makes for a frame.
   std::vector<std::filesystem::path> files(std::size_t frame) const;
 };
 
-/// The camera's view at a frame's moment. For a user's scene, which has its own camera, this is scene_view.
+/// The camera's view at a frame's moment. For a user's scene, which has its own camera, it is the result of scene_view.
 View view_of(const Film& film, const almanac::SkyState& sky);
 
-/// The Moon at a moment of a film, as seen in a view. It is in full sunlight if the film is unshadowed.
+/// The Moon at a moment of a film, as seen in a view. It is in full sunlight if the film leaves out the Earth's shadow.
 LitMoon moon_of(const Film& film, const almanac::SkyState& sky, const View& view);
 
 }  // namespace coppermoon::uses

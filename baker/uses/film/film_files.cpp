@@ -72,7 +72,7 @@ using Curve = std::vector<CurvePoint>;
 /// Accuracy  5e-4 in magnitude and in relative luminance, compared with brightness_of, which simulates each moment
 ///           separately and uses twice as many rows
 Curve curve_of(const Film& film, const std::vector<std::size_t>& frames) {
-  constexpr std::size_t rows = 180;  // of the textures used to measure brightness
+  constexpr std::size_t rows = 180;  // rows of the textures used to measure brightness
   const MoonSurvey survey(film.moon, texture::resized(normal_albedo(film.moon), rows), *film.light);
   Curve curve(frames.size());
   tbb::parallel_for(std::size_t{0}, frames.size(), [&](std::size_t i) {
@@ -98,7 +98,7 @@ std::string as_csv(const eclipse::Eclipse& eclipse, const Curve& curve) {
   return text;
 }
 
-/// The curve in one panel of the plot: the given member of each point against hours from greatest eclipse.
+/// The curve in one panel of the plot. It shows the given member of each point against hours from greatest eclipse.
 PlotCurve drawn(const eclipse::Eclipse& eclipse, const Curve& curve, double CurvePoint::*column) {
   std::string data;
   for (const auto& point : curve)
@@ -156,8 +156,8 @@ void expose(const Development& development, texture::Image& film, const fs::path
 ///
 ///     value = Σ s L        s: scale for a frame's exposure, L: value of a pixel in that frame
 ///
-/// If the frames show the sky, each pixel is instead the greatest s L, like photographers' lighten mode, because a sum
-/// would add the sky many times.
+/// If the frames show the sky, each pixel is instead the greatest s L, as in the lighten mode of photo editors, because
+/// a sum would add the sky many times.
 ///
 /// Omits   occlusion where images of the Moon overlap
 /// Throws  Error  when a frame cannot be read, differs in size from the first, or has no exposure in its header

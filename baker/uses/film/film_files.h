@@ -20,7 +20,7 @@ struct FilmFiles {
   std::vector<std::filesystem::path> all() const;
 };
 
-/// Refuses files that cannot be made, whatever the film is.
+/// Refuses requested files that cannot be made from any film.
 ///
 /// Throws  Error  for a shard of a film, because the files need all frames; for a file name with a wrong ending
 void require_sound(const FilmFiles& files, const Shard& shard);
@@ -31,7 +31,7 @@ void require_sound(const FilmFiles& files, const Shard& shard);
 ///                frames that a file is made from; when a font or ffmpeg is needed but missing; as require_stage
 void require_makeable(const FilmFiles& files, const Film& film);
 
-/// Makes the requested files from the given frames. Each file appears whole or not at all.
+/// Makes the requested files from the given frames. Each file appears complete or not at all.
 ///
 /// Given   made   called with the path of each file once the file exists; may be empty
 /// Throws  Error  as write_contact_sheet, write_movie, write_stage, write_plot; when a frame of the composite cannot be

@@ -44,10 +44,10 @@ std::vector<fs::path> numbered_files(const Film& film) {
   return files;
 }
 
-/// A file in the film's folder that possibly does not belong to the film.
+/// A file in the film's folder that may belong to something other than the film.
 struct Foreign {
   fs::path file;
-  std::string contents;  ///< in words; empty if the file belongs to this film or is damaged
+  std::string contents;  ///< description; empty if the file belongs to this film or is damaged
 };
 
 std::string contents_of(const Film& film, const fs::path& file) {
@@ -55,7 +55,7 @@ std::string contents_of(const Film& film, const fs::path& file) {
   return film.record.foreign_contents(file);
 }
 
-/// Existing files, other than those of frames, that making the film would overwrite: its light and its scene.
+/// Existing files of the film's light and scene, which making the film would overwrite. Frames are not included.
 std::vector<fs::path> files_beside_frames(const Film& film) {
   std::vector<fs::path> files{film.folder / light_file};
   if (film.products.scenes)
@@ -85,13 +85,13 @@ std::vector<Foreign> foreign_files(const Film& film) {
   return all;
 }
 
-/// Whether a file is whole, according to its seal or, if it is a PNG, to the checksums in it.
+/// Whether a file is complete and undamaged, according to the fingerprint in its header or, for a PNG, its checksums.
 bool is_whole(const fs::path& file) {
   return file.extension() == ".png" ? texture::read_image(file).width > 0
                                     : texture::is_sealed(file);
 }
 
-/// Whether a file is whole, shows the given frame, and belongs to this film according to `alike`.
+/// Whether a file is undamaged, shows the given frame, and belongs to this film according to `alike`.
 bool is_whole_of(const fs::path& file, std::size_t frame, const auto& alike) try {
   return fs::is_regular_file(fs::symlink_status(file)) &&
          texture::read_attribute(file, "coppermoon:frame") == fmt::format("{}", frame) &&

@@ -34,7 +34,7 @@ namespace {
 
 using Frames = std::span<const std::size_t>;
 
-/// Attributes in the header of each file of a frame.
+/// Attributes for the headers of all files of a frame.
 texture::Attributes header_of(const Film& film, std::size_t frame) {
   auto header = film.record.frame_header();
   header["coppermoon:frame"] = fmt::format("{}", frame);
@@ -46,7 +46,7 @@ BakedMoon texture_of(const Film& film, const LitMoon& lit, std::size_t frame) {
   const auto extent =
       film.products.textures ? texture::Extent::whole : texture::Extent::seen_from_earth;
   auto content = film.content;
-  if (film.products.framed()) {  // POV-Ray reads the texture
+  if (film.products.framed()) {  // because POV-Ray reads the texture
     content.space = picture_space;
     content.passes = false;
   }
@@ -176,7 +176,7 @@ void render(const Film& film, Frames frames, int threads, const WhenMade& when_m
     } else {
       texture::write_exr(path, moon.parts, moon.attributes, {.packed = false});
     }
-    moon.parts.clear();  // already written; they would keep the light in memory
+    moon.parts.clear();  // the parts are written already, and would keep the light in memory
     sequence.cameras.push_back(scene.view.camera);
     lights.push_back(sky_lights(scene.view, scene.moon.sky));
   }
@@ -219,8 +219,8 @@ double texels_of(const Film& film) {
   return width * width / 2;
 }
 
-/// Number of batches to make at the same time: one more than there are processors, because POV-Ray sleeps on starting,
-/// but only as many as fit into half of the memory. POV-Ray needs 28 bytes per texel.
+/// Number of batches to make at the same time: one more than there are processors, because POV-Ray is idle while it
+/// starts, but no more than fit into half of the memory. POV-Ray needs 28 bytes per texel.
 std::size_t lanes_of(const Film& film, std::size_t processors) {
   if (processors == 1) return 1;
   const auto [width, height] = std::pair(film.view.width, film.view.height);
@@ -232,8 +232,8 @@ std::size_t lanes_of(const Film& film, std::size_t processors) {
   return static_cast<std::size_t>(std::min(most, static_cast<double>(processors + 1)));
 }
 
-/// Number of frames that one POV-Ray process renders. It is small enough for their textures to take at most 256 MB, and
-/// for every lane to get at least two batches, so that all lanes finish at about the same time.
+/// Number of frames that one POV-Ray process renders. It is small enough for their textures to take at most 256 MB. It
+/// also lets every parallel lane have at least two batches, so that all lanes finish at about the same time.
 std::size_t frames_a_batch(const Film& film, std::size_t frames, std::size_t lanes) {
   if (!film.products.rendered()) return 1;
   constexpr double waiting = 256e6, most = 16;

@@ -12,7 +12,7 @@ namespace coppermoon::uses {
 
 struct MadeFrame {
   std::size_t frame;
-  std::optional<Exposures> exposures;  ///< absent if only a texture was made
+  std::optional<Exposures> exposures;  ///< exposures used; absent if only a texture was made
   bool developed_again = false;        ///< whether developed from an earlier run's linear frame
 };
 
@@ -29,8 +29,8 @@ void write_film_scene(const Film& film);
 
 /// Callbacks while a film is being made. They are called one at a time, and either may be empty.
 struct FilmEvents {
-  std::function<void(std::size_t frame)> kept = {};       ///< for a frame from an earlier run
-  std::function<void(const MadeFrame& frame)> made = {};  ///< for a new frame, from any thread
+  std::function<void(std::size_t frame)> kept = {};       ///< called for a frame of an earlier run
+  std::function<void(const MadeFrame& frame)> made = {};  ///< called for a new frame, on any thread
 };
 
 /// The film with its ground set, and with its albedo at the textures' resolution, so that no frame has to resize it.
@@ -39,7 +39,7 @@ struct FilmEvents {
 Film with_ground(Film film);
 
 /// Makes those of the given frames that are missing, and the POV-Ray scene if it is one of the film's products. A frame
-/// is kept if all its files exist, are whole, and were made for this film.
+/// is kept if all its files exist, are undamaged, and were made for this film.
 ///
 /// Given   film   its light must be set, and its folder must exist
 /// Throws  Error  as make_frames, normal_albedo

@@ -34,7 +34,7 @@ Purpose purpose_of(const Film& film) {
   return {width * width / 2, reads_map(film.moon)};
 }
 
-/// Adds to a request the photon sums that shards have written into a folder.
+/// Adds to a request the photon sums that shards of the film have written into a folder.
 LightRequest with_shards(LightRequest request, const std::filesystem::path& folder) {
   if (!wants_photons(request)) return request;
   if (request.solver == Solver::automatic) request.solver = Solver::table;

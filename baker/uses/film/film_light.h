@@ -10,7 +10,7 @@
 
 namespace coppermoon::uses {
 
-/// Name of the file in a film's folder that holds its light.
+/// Name of the file in a film's folder that holds the film's light.
 inline constexpr const char* light_file = "eclipse.light";
 
 struct FilmLight {
@@ -19,7 +19,7 @@ struct FilmLight {
 };
 
 /// The film's light, read from `eclipse.light` in its folder if complete, otherwise computed and written there. If
-/// several processes need it, one computes and the others wait. Photons that shards have traced are made use of.
+/// several processes need the light, one computes it and the others wait. Photons that shards have traced are used.
 ///
 /// Given   film      complete except for its light and albedo; its folder must exist
 ///         replace   whether another film's light may be replaced
@@ -27,12 +27,12 @@ struct FilmLight {
 FilmLight film_light(const Film& film, bool replace = false,
                      const algebra::Progress& progress = {});
 
-/// The light that `film_light` would read from the folder; nothing if it would have to compute it.
+/// The light that `film_light` would read from the folder; nothing if `film_light` would have to compute it.
 ///
 /// Throws  Error  as film_light
 std::optional<Moonlight> kept_light(const Film& film, bool replace = false);
 
-/// File in the film's folder for the sums over one shard of its photons, such as "eclipse.2-of-8.sums".
+/// File in the film's folder for the sums over one shard of the film's photons, such as "eclipse.2-of-8.sums".
 std::filesystem::path sums_file(const Film& film, const Shard& shard);
 
 /// Traces one shard of a film's photons, and writes their sums to sums_file, which film_light will read.

@@ -33,13 +33,13 @@ std::vector<fs::path> pictures_of(const Film& film, const std::vector<std::size_
   return pictures;
 }
 
-/// Gives the pictures consecutive numbers as names, because ffmpeg requires such names.
+/// Gives the pictures consecutive numbers as file names, because ffmpeg requires such names.
 void number_pictures(const fs::path& folder, const std::vector<fs::path>& pictures) {
   for (std::size_t i = 0; i < pictures.size(); ++i)
     files::name_also(pictures[i], folder / fmt::format("{:07}.png", i));
 }
 
-/// A display's primaries and transfer characteristics, by the names that ffmpeg uses.
+/// Primaries and transfer characteristics of a display, under the names that ffmpeg uses.
 ///
 /// Source  ITU-T H.273
 struct DisplayCoding {

@@ -11,7 +11,7 @@ namespace coppermoon::uses {
 
 /// Checks that ffmpeg can be run.
 ///
-/// Throws  Error  when it cannot; names the package to install
+/// Throws  Error  when it cannot be run; the message names the package to install
 void require_ffmpeg();
 
 /// Refuses a movie whose name ends in neither .mp4 nor .mov. An empty path is accepted, and means no movie.
@@ -20,7 +20,7 @@ void require_movie_ending(const std::filesystem::path& path);
 /// Encodes the frames' pictures with ffmpeg, in the order given. A file that ends in .mp4 is in H.264 (4:2:0), and one
 /// that ends in .mov in ProRes 422 HQ (10 bits). The movie has the matrix of BT.709, and is tagged with the primaries
 /// and transfer characteristics of the film's display. An odd width or height is increased by one black pixel. The file
-/// appears whole or not at all.
+/// appears complete or not at all.
 ///
 /// If the film has pictures of high dynamic range (PQ, Rec.2020), an .mp4 becomes HDR10: HEVC (10 bits, 4:2:0) with the
 /// film's light levels and the dimmest mastering display that can show them. A .mov has no light levels.

@@ -12,13 +12,13 @@
 namespace coppermoon::uses {
 
 /// The request that a film is made from, as recorded in the headers of its files. It distinguishes the film's files
-/// from other files. Functions may be called from any thread.
+/// from other files. Its functions may be called from any thread.
 struct FilmRecord {
   request::Recipe
-      recipe{};  ///< as requested, plus the textures' width; if empty, no file is the film's
+      recipe{};  ///< requested settings, plus the textures' width; if empty, no file belongs to the film
   std::string map_contents{}, view_contents{};  ///< fingerprints of the files that the recipe names
-  std::optional<plan::Work> work{};             ///< planned work for the light, if known
-  /// End of the error message that refuses another film's files. It follows "allowed another folder".
+  std::optional<plan::Work> work{};             ///< work planned for computing the light, if known
+  /// End of the error message that refuses another film's files. It follows the words "allowed another folder".
   std::string way_out{};
 
   /// Header attributes that the files of all frames have in common.
@@ -26,7 +26,7 @@ struct FilmRecord {
   /// Header attributes of the files that are made from many frames, such as a contact sheet.
   texture::Attributes film_header() const;
 
-  /// The settings that the light depends on, except for the time. They are those requested, before any planning.
+  /// The settings that the light depends on, except for the time. They are as requested, before any planning.
   request::Recipe light_key() const;
   /// Text that distinguishes this film from others, whatever products are made.
   std::string film_key() const;

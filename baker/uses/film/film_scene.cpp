@@ -81,7 +81,7 @@ texture::Image rendered_scene(const Film& film, std::size_t frame, const LitScen
   texture::write_exr(beside(texture_stem + std::string(".exr")), scene.texture.parts,
                      scene.texture.attributes, {.packed = false});
   write_moon_include(folder.path(), scene, film.view);
-  if (!fs::exists(beside(stars_name)))  // so that scenes can include it even without stars
+  if (!fs::exists(beside(stars_name)))  // so that scenes can include the file even without stars
     files::write_whole(beside(stars_name), povray_scenes::star_include("no stars", {}));
   write_sky(beside(povray_scenes::sky_file), scene.moon, film.view);
   const auto [width, height] = std::pair(film.view.width, film.view.height);

@@ -10,15 +10,15 @@
 
 namespace coppermoon::uses {
 
-/// Refuses a film whose scene is not an existing .pov file, has no observer, or is combined with textures.
+/// Refuses a film whose user's scene is not an existing .pov file, or which has no observer, or which makes textures.
 void require_scene(const Film& film);
 
 /// The observer, air and stars for a frame of the user's scene, even if the Moon is below the horizon. The camera in
 /// the view is not used, because the scene has its own.
 View scene_view(const Film& film, const almanac::SkyState& sky);
 
-/// Fingerprint of a scene and of the files beside it whose names it quotes, directly or through .inc and .pov files. It
-/// is appended to FilmRecord::map_contents, and is empty without a scene.
+/// Fingerprint of a scene and of the files beside it whose names it quotes, directly or through .inc and .pov files.
+/// The fingerprint is appended to FilmRecord::map_contents. It is empty without a scene.
 std::string scene_contents(const std::filesystem::path& scene);
 
 /// Renders a frame of the user's scene as an image in linear Rec.709 [cd/m²]. POV-Ray works in a temporary folder that

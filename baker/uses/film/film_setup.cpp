@@ -21,8 +21,8 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Refuses textures that POV-Ray cannot read, which are those with another colour space, passes or spectra. Frames are
-/// converted to the film's colour space after rendering.
+/// Refuses textures that POV-Ray cannot read: those with passes, with spectra, or in a colour space other than linear
+/// Rec.709. Frames are converted to the film's colour space after rendering.
 void require_content(const Film& film) {
   require_sound(film.content);
   if (!film.scene.empty()) require_scene(film);
@@ -117,10 +117,10 @@ povray_scenes::HorizonPlace place_of(double altitude, double azimuth) {
   return {algebra::radians(altitude), algebra::radians(azimuth)};
 }
 
-/// Directions in which the Moon is seen at several moments (see in_sky), and the picture's shape.
+/// Directions in which the Moon is seen at several moments (see in_sky), and the shape of the picture.
 struct Moons {
   std::vector<glm::dvec3> directions;
-  double sine_of_radius;  ///< of the largest disc's angular radius
+  double sine_of_radius;  ///< sine of the largest disc's angular radius
   double width_over_height;
 };
 

@@ -19,7 +19,7 @@ enum class Mount {
 
 struct Mounting {
   Mount mount = Mount::tracking;
-  /// Direction in which a fixed camera points. If absent, it points to where the Moon is half-way through the film.
+  /// Direction in which a fixed camera points. If absent, it is the Moon's direction half-way through the film.
   std::optional<povray_scenes::HorizonPlace> aim = {};
 };
 
@@ -35,11 +35,11 @@ void set_up(Film& film, const Mounting& mounting, const std::vector<std::size_t>
 
 /// How the Moon fits into the picture of a camera on a tripod, checked in a few hundred evenly spaced frames.
 struct FixedView {
-  std::size_t outside = 0;  ///< checked frames in which the Moon is not wholly in the picture
+  std::size_t outside = 0;  ///< number of checked frames with part of the Moon outside the picture
   std::size_t looked_at =
       0;  ///< number of the checked frames in which the Moon is above the horizon
   /// Aim (to 0.1 degrees) and horizontal field (to a degree, not narrower than the film's) of a camera whose picture
-  /// would hold the whole Moon in all checked frames. The aim is absent if no picture would, or the film's does.
+  /// would hold the whole Moon in all checked frames. The aim is absent if there is no such camera or no need for one.
   std::optional<povray_scenes::HorizonPlace> aim = {};
   double field_deg = 0;
 };

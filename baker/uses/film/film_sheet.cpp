@@ -23,8 +23,8 @@ double seconds_from(const Moments& moments, const almanac::Instant& when, std::s
   return almanac::seconds_between(when, moments.at(frame));
 }
 
-/// The frame nearest to each contact during the film, with a caption naming the contacts less than a minute away and
-/// the time from them. The limit is a minute because the times of day on a sheet are no finer than that.
+/// The frame nearest to each contact during the film. Its caption names the contacts less than a minute away, and the
+/// time from them. The limit is a minute because the times of day on a sheet are no finer than that.
 std::map<std::size_t, std::string> frames_at_contacts(const Moments& moments,
                                                       const std::vector<std::size_t>& frames) {
   const double all = seconds_from(moments, moments.at(frames.front()), frames.back());

@@ -14,7 +14,7 @@ struct SheetFrame {
   std::size_t frame;
   /// Time from the nearest contact, such as "U2+35min" or "U4-20s", but only "U2" within half a second of the contact.
   std::string moment;
-  bool at_contact;  ///< whether it is nearest to a contact, and within a minute of it
+  bool at_contact;  ///< whether the frame is the nearest to a contact, and within a minute of it
 };
 
 /// Chooses the frames for a contact sheet: all frames if there are at most 40, otherwise 40 at even steps and those

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 using Lux = std::array<double, 3>;
 
-constexpr std::size_t rows = 180;  ///< of the textures used to measure illuminance
+constexpr std::size_t rows = 180;  ///< rows of the textures used to measure illuminance
 
 Film in_sunlight(Film film) {
   film.moon.unshadowed = true;
@@ -45,7 +45,7 @@ Film in_little(Film film) {
 
 struct StageFrame {
   texture::UsdMoment moment;
-  double seconds = 0;  ///< since greatest eclipse
+  double seconds = 0;  ///< time since greatest eclipse
   Lux sunlit{};        ///< illuminance without the Earth's shadow
 };
 
@@ -65,13 +65,13 @@ std::vector<StageFrame> frames_of(const Film& film, const std::vector<std::size_
   return frames;
 }
 
-/// Weight of the last frame's sunlit Moon in frame i. The first frame's sunlit Moon has the remaining weight.
+/// Weight of the last frame's sunlit Moon in frame i. The rest of the weight belongs to the first frame's sunlit Moon.
 double share_of(const std::vector<StageFrame>& frames, std::size_t i) {
   const double first = frames.front().seconds, last = frames.back().seconds;
   return (frames[i].seconds - first) / (last - first);
 }
 
-/// USD text for an attribute, with its first value as default and one time sample per frame.
+/// USD text for an attribute, whose first value is the default, with one time sample per frame.
 template <class Value>
 std::string samples(const char* declared, const std::vector<StageFrame>& frames,
                     const Value& value) {

@@ -28,7 +28,7 @@ std::size_t count_in(double duration_s, const FrameRate& fps) {
   return static_cast<std::size_t>(count);
 }
 
-/// Refuses more than one rule for the number of frames, unless the number agrees with the duration.
+/// Refuses a request with more than one rule for the number of frames, unless the number agrees with the duration.
 void require_one_rule(const FilmTimes& times) {
   std::vector<std::string> given;
   const bool both = times.frames && times.duration_s && !times.time_scale && times.moments.empty();
@@ -62,7 +62,7 @@ std::size_t count_of(const FilmTimes& times, double seconds) {
 }
 
 /// Whether a frame shows some of the Moon. Some is shown if the Moon's centre is less than 0.17 degrees below the
-/// horizon, because the flattened disc's radius is at least 0.2 degrees. Always true without an observer.
+/// horizon, because the flattened disc's radius is at least 0.2 degrees. Without an observer, always true.
 bool is_seen(const ViewRequest& view, const almanac::SkyState& sky) {
   if (!view.observer || !moon_is_up(view, sky)) return !view.observer;
   const auto horizon = atmosphere::apparent_altitude(horizon_altitude(*view.observer));

@@ -25,7 +25,7 @@ struct FrameRate {
 ///
 /// Given     text  such as "24", "12.5" or "24000/1001"; a television rate as usually written, "23.976", "29.97" or
 ///                 "59.94", stands for the exact ratio with 1001
-/// Returned  in lowest terms; a decimal number is rounded to a thousandth
+/// Returned  ratio in lowest terms; a decimal number is rounded to a thousandth
 /// Throws    Error  when the text is not a frame rate, the rate is outside 1 to 1000, or a denominator exceeds 10000
 FrameRate frame_rate_from(const std::string& text);
 
@@ -40,11 +40,11 @@ struct FilmTimes {
   eclipse::Eclipse eclipse;
   almanac::Instant from, to;            ///< moments of the first and the last frame
   std::optional<std::size_t> frames{};  ///< number of frames, 1 to 1e6; if absent, 240
-  FrameRate fps = {};                   ///< 1 to 1000
+  FrameRate fps = {};                   ///< frames per second, 1 to 1000
   /// Seconds of the eclipse per second of the film, 1e-3 to 1e6. It can be given instead of the number of frames.
   std::optional<double> time_scale = {};
   std::optional<double> duration_s =
-      {};  ///< length of the film, 1e-3 to 1e6; if `frames` is given too, both must agree
+      {};  ///< length of the film [s], 1e-3 to 1e6; if `frames` is given too, both must agree
   /// Moments of the frames, in order of time, if the steps are not even. They replace all settings above except `fps`.
   std::vector<almanac::Instant> moments = {};
   std::size_t first_frame = 1;  ///< number of the first frame, 0 to 1e6

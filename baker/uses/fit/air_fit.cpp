@@ -16,14 +16,14 @@ std::vector<double> evenly(double from, double to, int steps) {
   return all;
 }
 
-/// Usual and greatest number of grids that are tried, each finer than the one before, and the number of steps along
-/// each axis. The first grid finds the probable range. Later grids have steps of about half a standard deviation.
-/// Another grid follows if steps are still too coarse.
+/// Usual and greatest number of grids on which χ² is evaluated, one after the other. The first grid finds the probable
+/// range of the unknowns. Later grids have steps of about half a standard deviation. If the steps of the third grid are
+/// still too coarse, more grids follow. `axis_steps` is the number of steps along each axis.
 constexpr std::size_t looks = 3, most_looks = 6;
 constexpr std::array<std::array<int, 3>, looks> axis_steps{
     {{20, 14, 8}, {20, 16, 10}, {24, 20, 12}}};
 
-/// Whether the steps of all axes are smaller than a standard deviation of the posterior.
+/// Whether each axis of the grid has steps smaller than a standard deviation of the posterior.
 bool are_fine(const Axes& axes, const Posterior& posterior) {
   for (std::size_t a = 0; a < axes.size(); ++a) {
     const auto& estimate = posterior.estimates[a];
@@ -32,7 +32,7 @@ bool are_fine(const Axes& axes, const Posterior& posterior) {
   return true;
 }
 
-/// Grid axes that cover a range of the unknowns.
+/// Axes of a grid that covers the given range of the unknowns.
 Axes axes_over(Unknowns unknowns, const AirRange& range) {
   Axes axes;
   for (std::size_t a = 0; a < axes.size(); ++a) {
@@ -42,7 +42,7 @@ Axes axes_over(Unknowns unknowns, const AirRange& range) {
   return axes;
 }
 
-/// Range within which the light of all data sets is known.
+/// Range of the unknowns for which the light of every data set has been computed.
 AirRange range_of(std::span<const DataSet> data) {
   auto range = data.front().light.range();
   for (const auto& set : data)
@@ -53,9 +53,9 @@ AirRange range_of(std::span<const DataSet> data) {
   return range;
 }
 
-/// Axes of a finer grid over the range that a coarser grid found probable.
+/// Axes of a finer grid, over the range of the unknowns that proved probable on a coarser grid.
 Axes axes_about(const Posterior& known, const Axes& coarser, std::size_t look) {
-  constexpr double beyond = 2;  // in widths of the interval; that is five standard deviations
+  constexpr double beyond = 2;  // margin in widths of the 68 % interval, so axes extend to 5 sigma
   Axes axes;
   for (std::size_t a = 0; a < axes.size(); ++a) {
     const auto& [median, low, high, information] = known.estimates[a];
@@ -67,13 +67,13 @@ Axes axes_about(const Posterior& known, const Axes& coarser, std::size_t look) {
   return axes;
 }
 
-/// χ² and clock corrections at each point of a grid, indexed as (aerosol × ozones + ozone, cloud).
+/// χ² and clock corrections at each grid point. The row index is aerosol × ozones + ozone, the column index is cloud.
 struct Evaluation {
   algebra::Grid<double> chi_squared;
-  std::vector<algebra::Grid<ClockError>> clocks;  ///< one for each data set
+  std::vector<algebra::Grid<ClockError>> clocks;  ///< one grid of corrections for each data set
 };
 
-/// Adds a data set's χ² for each amount of cloud, at one value of aerosol and ozone, and records its clock correction.
+/// At one value of aerosol and ozone, adds a data set's χ² for each amount of cloud and stores its clock corrections.
 void add_over_cloud(const DataSet& data, const FittedLight::OverCloud& light,
                     const std::vector<double>& clouds, std::span<double> chi_squared,
                     std::span<ClockError> clocks) {
@@ -110,7 +110,7 @@ Evaluation evaluated(const Axes& axes, std::span<const DataSet> data,
   return all;
 }
 
-/// Posterior mean and standard error of a clock's correction over all air on the grid, with its variances times `scale`.
+/// Mean and standard error of a clock correction over the posterior on a grid. Variances are multiplied by `scale`.
 ClockError over_all_air(const algebra::Grid<double>& chi_squared, double scale,
                         const algebra::Grid<ClockError>& clocks) {
   const double least = *std::ranges::min_element(chi_squared.values());
@@ -126,7 +126,7 @@ ClockError over_all_air(const algebra::Grid<double>& chi_squared, double scale,
   return {mean, std::sqrt(std::max(0., squares / sum - mean * mean)), {}};
 }
 
-/// χ² of the data, divided by a factor that enlarges their variances, and of the prior, on a grid.
+/// Total χ² on a grid: that of the data, whose variances are enlarged by the factor `scale`, plus that of the prior.
 algebra::Grid<double> with_prior(const Axes& axes, const std::array<Unknown, 3>& unknowns,
                                  algebra::Grid<double> chi_squared, double scale) {
   for (std::size_t row = 0; row < chi_squared.rows(); ++row)
@@ -138,7 +138,7 @@ algebra::Grid<double> with_prior(const Axes& axes, const std::array<Unknown, 3>&
   return chi_squared;
 }
 
-/// Posterior from χ² on a grid. If the grid's steps are fine enough, χ² is interpolated between them.
+/// Posterior from χ² on a grid. If the grid's steps are fine enough, χ² is interpolated between the grid points.
 Posterior posterior_over(const Axes& axes, const algebra::Grid<double>& chi_squared) {
   std::vector<double> in_order;
   for (std::size_t i = 0; i < axes[0].size(); ++i)
@@ -152,7 +152,7 @@ Posterior posterior_over(const Axes& axes, const algebra::Grid<double>& chi_squa
   return posterior(finer_axes, in_order);
 }
 
-/// Values of the unknowns that are most probable.
+/// Most probable values of the unknowns.
 AirNumbers best_of(const Axes& axes, const std::array<Unknown, 3>& unknowns,
                    const algebra::Grid<double>& chi_squared) {
   const auto place = static_cast<std::size_t>(std::ranges::min_element(chi_squared.values()) -
@@ -163,12 +163,12 @@ AirNumbers best_of(const Axes& axes, const std::array<Unknown, 3>& unknowns,
           unknowns[2].from_axis(axes[2][row % axes[2].size()])};
 }
 
-/// Degrees of freedom, 1 or more.
+/// Degrees of freedom of a fit to the given number of measurements, 1 or more.
 double freedom_of(std::size_t measurements) {
   return std::max(1., static_cast<double>(measurements) - 3);
 }
 
-/// χ² one standard deviation above its expected value. If errors are as assumed, one fit in six exceeds it by chance.
+/// χ² one standard deviation above its expected value. If errors are as assumed, one fit in six has a χ² above this.
 double chi_squared_by_chance(double freedom) { return freedom + std::sqrt(2 * freedom); }
 
 }  // namespace
@@ -235,7 +235,7 @@ AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progre
     }
     axes = axes_about(result.posterior, axes, look);
   }
-  // information is relative to the prior over the whole range, not to the range of the last grid
+  // so far, information is relative to the last grid's range; make it relative to the prior over the whole range
   const auto whole = axes_over(result.unknowns, whole_range(result.unknowns));
   for (std::size_t a = 0; a < whole.size(); ++a) {
     auto& information = result.posterior.estimates[a].information;

@@ -14,7 +14,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Standard deviation of rounding, in steps.
+/// Standard deviation of rounding errors, in quantisation steps.
 constexpr double of_a_step = 0.3;
 
 using Channel = algebra::Grid<float>;
@@ -26,9 +26,9 @@ Channel plane_of(const colour::Image& image, std::size_t k) {
   return channel;
 }
 
-/// Light of the sky and the lens's glow in one channel, measured beside the disc. If many pixels there are black, the
-/// sky's light is taken as 0, with the measured light as its error. If the sky is too dark for the tone curve to be
-/// known, the glow keeps its prior.
+/// Separates the light beside the disc, in one channel, into light from the sky and glow from the lens. If many pixels
+/// there are black, the sky's light is taken as 0, and the measured light as its standard error. If the sky is too dark
+/// for the tone curve to be known, the glow keeps its prior.
 SkyAndGlow light_beside(const AroundTheDisc& light, const AroundTheDisc& black,
                         const AroundTheDisc& glow, Uncertain prior, bool linear, double step) {
   constexpr double much = 0.05, of_glow = 0.25, fixed = 1e-9;
@@ -45,13 +45,13 @@ SkyAndGlow light_beside(const AroundTheDisc& light, const AroundTheDisc& black,
   return found;
 }
 
-/// Sums over a bin's pixels.
+/// Sums over the pixels of a bin.
 struct SumOfBin {
   double light = 0, displayed = 0, sunlit = 0, glow = 0, black = 0;
-  double squares = 0;        ///< squared differences between pixels two columns apart
-  double light_squares = 0;  ///< squared light of the pixels
+  double squares = 0;        ///< sum of squared differences between pixels two columns apart
+  double light_squares = 0;  ///< sum of the pixels' squared light
   std::size_t pixels = 0, clipped = 0, pairs = 0;
-  ToneSlopes slopes{};  ///< derivatives of light by the tone curve's parameters
+  ToneSlopes slopes{};  ///< sums of light's derivatives with respect to the tone curve's parameters
 
   /// Whether few enough pixels are black or clipped for the mean of the others to be unbiased.
   bool sound() const {
@@ -59,16 +59,16 @@ struct SumOfBin {
     const auto all = static_cast<double>(pixels);
     return pixels >= 40 && static_cast<double>(clipped) <= 0.005 * all && black <= few * all;
   }
-  /// Whether the mean is bright enough for the tone curve to be known.
+  /// Whether the pixels are bright enough, on average, for the tone curve to be known there.
   bool bright_enough() const {
     return displayed >= colour::least_displayed * static_cast<double>(pixels);
   }
   double ratio() const { return light / sunlit; }
   double mean() const { return light / static_cast<double>(std::max<std::size_t>(1, pixels)); }
-  /// Standard error of the ratio of light to sunlit light that comes from rounding pixel values to steps. Rounding
-  /// errors average out if light varies between pixels by more than half a step, but the colours of a JPEG share their
-  /// error within a block. With a camera's own tone curve, all pixels share one error, because the curve is not known
-  /// to within a step near black.
+  /// Standard error of ratio() that comes from rounding pixel values to steps. Rounding errors average out if light
+  /// varies between pixels by more than half a step. In a JPEG, however, the pixels of a block share the error of their
+  /// colour. With a camera's own tone curve, all pixels share one error, because near black the curve is not known to
+  /// within a step.
   double error_of_steps(double step, bool curved) const {
     constexpr double two_pi_squared = 2 * std::numbers::pi * std::numbers::pi, block = 256;
     if (step <= 0) return 0;
@@ -79,10 +79,10 @@ struct SumOfBin {
     return of_pixel * std::hypot(std::exp(-two_pi_squared * variance / (step * step)),
                                  std::sqrt(std::min(1., block / all)));
   }
-  /// Standard error of the ratio of light to sunlit light due to noise. It is estimated from pixels two columns apart,
-  /// because light varies across a bin.
+  /// Standard error of ratio() that comes from noise. It is estimated from pixels two columns apart, because the light
+  /// itself varies across a bin.
   ///
-  /// Given  noise_of_means  value of colour::noise_of_means
+  /// Given  noise_of_means  result of colour::noise_of_means
   double error(double noise_of_means) const {
     const double variance = squares / 2 / static_cast<double>(std::max<std::size_t>(1, pairs));
     return std::sqrt(noise_of_means * variance * static_cast<double>(pixels)) / sunlit;
@@ -100,13 +100,13 @@ float is_black(float value) { return value <= 0 ? 1 : 0; }
 
 /// One channel of a photograph, resampled to the pixels of the scene.
 struct Brought {
-  Channel displayed;  ///< sRGB-coded
-  Channel light;      ///< with the tone curve undone
+  Channel displayed;  ///< sRGB-coded values
+  Channel light;      ///< light, with the tone curve undone
   Channel black;      ///< share of black pixels
-  Channel glow;       ///< computed for the usual air
+  Channel glow;       ///< glow computed for the assumed air
 };
 
-/// Adds the derivatives of a pixel's light, with the sky's light subtracted, with respect to a tone curve's parameters.
+/// Adds the derivatives of a pixel's light with respect to a tone curve's parameters. The sky's light is subtracted.
 void add_slopes(ToneSlopes& slopes, double light, double displayed, double sky,
                 double sky_displayed) {
   const auto of_light = colour::tone_derivatives(displayed),
@@ -115,7 +115,7 @@ void add_slopes(ToneSlopes& slopes, double light, double displayed, double sky,
     slopes[k] += light * of_light[k] - sky * of_sky[k];
 }
 
-/// Light to subtract from pixels: the sky's, sRGB-coded and with the curve undone, and a factor on the computed glow.
+/// What to subtract from each pixel: the sky's light, both sRGB-coded and linear, and a multiple of the computed glow.
 struct Off {
   double displayed, sky, glow;
 };
@@ -159,8 +159,8 @@ std::vector<SumOfBin> sums_of(const FitScene& scene, const Brought& channel, con
   return sums;
 }
 
-/// Prior of the factor on the computed glow. It is the share of light that a lens usually scatters, times the ratio of
-/// the photograph's light to the computed light (median over sound bins).
+/// Prior of the factor on the computed glow. It is the share of light that a lens typically scatters, times the ratio
+/// of photographed to computed light. The ratio is the median over all bins with few black or clipped pixels.
 Uncertain usual_glow(const FitScene& scene, std::size_t k, std::span<const SumOfBin> sums) {
   constexpr double share = 0.03, error = 0.02;
   std::vector<double> scales;

@@ -14,47 +14,47 @@ namespace coppermoon::uses {
 /// Derivatives of the logarithm of a bin's light with respect to the parameters of a tone curve.
 using ToneSlopes = std::array<double, colour::tone_numbers>;
 
-/// A photograph's light in the bins of a scene, with standard errors: grids (bin, channel) in linear Rec.709.
+/// Light of a photograph in the bins of a scene, with standard errors, as grids (bin, channel) in linear Rec.709.
 struct BinnedPhotograph {
-  algebra::Grid<double> values;       ///< ratio of light to sunlit light; 0 if unknown
-  algebra::Grid<double> errors;       ///< of the values, from differences between nearby pixels
-  algebra::Grid<double> sky_errors;   ///< due to the sky, shared by all bins of a channel
-  algebra::Grid<double> glow_errors;  ///< due to glow, shared by all bins and channels
-  algebra::Grid<ToneSlopes> slopes;   ///< empty if light is linear and needs no curve
+  algebra::Grid<double> values;       ///< ratio of light to light without the shadow; 0 if unknown
+  algebra::Grid<double> errors;       ///< standard errors, from differences between nearby pixels
+  algebra::Grid<double> sky_errors;   ///< errors due to the sky, shared by all bins of a channel
+  algebra::Grid<double> glow_errors;  ///< errors due to glow, shared by all bins and channels
+  algebra::Grid<ToneSlopes> slopes;   ///< tone curve's derivatives; empty if light is linear
 };
 
-/// Photometric scale of a photograph, and its standard errors.
+/// Photometric scale of a photograph, and the standard errors of its photometry.
 struct PhotometricErrors {
-  std::optional<double> value_per_cd_m2 = {};  ///< pixel value of 1 cd/m², if known
-  double exposure_error = 0.1;  ///< of the logarithm of a night's exposure; 10 if unknown
+  std::optional<double> value_per_cd_m2 = {};  ///< pixel value for 1 cd/m², if known
+  double exposure_error = 0.1;  ///< standard error of a night's ln(exposure); 10 if unknown
   double shutter_error =
-      0.03;  ///< of the logarithm of the photograph's exposure relative to others
-  double white_balance_error = 0.03;  ///< of the logarithms of red / green and blue / green
-  /// Whether photographs of a night share the error of their white balance, because it was fixed or is known as shot.
+      0.03;  ///< standard error of a photograph's ln(exposure), relative to the night's others
+  double white_balance_error = 0.03;  ///< standard errors of ln(red / green) and ln(blue / green)
+  /// Whether all photographs of a night have the same white-balance error, because the balance was fixed or recorded.
   bool white_balance_shared = false;
   double white_balance_drift =
-      0.003;  ///< of the same logarithms in each photograph, if they share that error
-  double place_error_km = 0;  ///< of the disc's place, towards the shadow's axis
-  /// relative error of red light due to the weather along 30 degrees of the limb; see light_by_weather for others
+      0.003;  ///< further white-balance error of each photograph, if white_balance_shared is true
+  double place_error_km = 0;  ///< standard error of the disc's place, towards the shadow's axis
+  /// Relative error of red light due to weather along 30 degrees of the limb. See light_by_weather for other channels.
   double weather_error = 0;
-  double mixing_error = 0;      ///< of each off-diagonal element of the camera's matrix
-  double dark_error = 0;        ///< of each channel's light, relative to the brightest channel's
-  double saturation_error = 0;  ///< of the saturation of its colours, which JPEG styles vary
+  double mixing_error = 0;      ///< error of each off-diagonal element of the colour matrix
+  double dark_error = 0;        ///< error of a channel's light, relative to the brightest channel
+  double saturation_error = 0;  ///< error of the colour saturation, which JPEG styles vary
 };
 
-/// A photograph in the bins of its scene.
+/// A photograph whose light has been sorted into the bins of its scene.
 struct Binned {
-  std::size_t photograph = 0;              ///< index in the night
-  std::optional<CameraColours> colours{};  ///< of the camera, if it developed the photograph itself
+  std::size_t photograph = 0;              ///< index of the photograph in its night
+  std::optional<CameraColours> colours{};  ///< camera colours, if the camera developed the picture
   std::shared_ptr<const FitScene> scene;
   BinnedPhotograph light;
   PhotometricErrors errors{};
 };
 
-/// Bins a photograph's light. Clipped pixels are left out, and so is a bin if more than 0.5 % of it is clipped or more
-/// than 2 % is black. Light from the sky and glow from the lens, measured beside the disc, are subtracted. The glow's
-/// prior is 0.03 ± 0.02 of the Moon's light, which is typical of lenses. The subtracted glow has an error of 25 %,
-/// because the glow of real lenses falls off with the angle differently from the computed glow.
+/// Averages a photograph's light over each bin of a scene. Clipped pixels are left out. A bin is left out if more than
+/// 0.5 % of it is clipped or more than 2 % is black. Light from the sky and glow from the lens are measured beside the
+/// disc and subtracted. The glow's prior is 0.03 ± 0.02 of the Moon's light, which is typical of lenses. The subtracted
+/// glow has an error of 25 %, because real glow falls off with the angle differently from computed glow.
 ///
 /// Given   render_to_photo  registration of the scene
 ///         curve            tone curve to undo, pixel by pixel; if absent, light is linear

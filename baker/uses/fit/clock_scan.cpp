@@ -17,8 +17,8 @@ namespace {
 
 using Cell = ClockView::Cell;
 
-/// How far the logarithm of a model's light lies above that of a cell. In a dark or clipped cell, the difference counts
-/// only if the model lies outside the limit that the cell sets.
+/// Logarithm of a model's light minus that of a cell's light. The light of a dark or clipped cell is only a limit, so
+/// the difference is 0 if the model lies within that limit.
 double difference(const Cell& cell, double model) {
   const double beyond = model - cell.light;
   if (cell.seen == Cell::Seen::dark) return std::max(0., beyond);
@@ -26,7 +26,7 @@ double difference(const Cell& cell, double model) {
   return beyond;
 }
 
-/// Mean square of the differences, each square limited to 1.
+/// Mean squared difference between the model and the cells. Each square is limited to 1.
 double mean_square(std::span<const Cell> cells, std::span<const double> model, double exposure) {
   double sum = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -57,12 +57,12 @@ bool shows_partial_phase(std::span<const ClockView> views, double clock_s) {
 
 constexpr double half_hour_s = 1800;
 
-/// Range of a clock's correction [s].
+/// Range of possible clock corrections [s].
 struct Possible {
   double from_s, to_s;
 };
 
-/// Largest clock correction to try, apart from whole half hours [s]. It is 0 if the clock's error is so small that
+/// Largest clock correction to try, not counting whole half hours [s]. It is 0 if the clock's error is so small that
 /// light changes linearly within it.
 double farthest_clock_s(const FitRequest& request) {
   constexpr double linear_s = 300, errors = 3;  // light changes linearly within linear_s
@@ -76,10 +76,10 @@ eclipse::Contacts contacts_of(const FitRequest& request) {
       .contacts;
 }
 
-/// Range of corrections to search. If half hours are free, it is the range that puts most photographs in the eclipse.
+/// Range of clock corrections to search. If half_hours_free, it puts as many photographs as possible in the eclipse.
 Possible possible_clocks(const FitRequest& request) {
   if (!request.half_hours_free) return {-farthest_clock_s(request), farthest_clock_s(request)};
-  constexpr int farthest = 52;  // half hours: time zones differ by up to 26 hours
+  constexpr int farthest = 52;  // in half hours; time zones differ by up to 26 hours
   const auto contacts = contacts_of(request);
   Possible range{};
   std::ptrdiff_t most = 0;
@@ -99,7 +99,7 @@ Possible possible_clocks(const FitRequest& request) {
   return range;
 }
 
-/// Indices of some photographs, spaced evenly from the first to the last.
+/// Indices of at most `most` photographs, spaced evenly from the first photograph to the last.
 std::vector<std::size_t> some_of(std::size_t all, std::size_t most) {
   const auto count = std::min(most, all);
   std::vector<std::size_t> indices;
@@ -127,7 +127,7 @@ double roughly_at(const Stage& stage, std::span<const Reading> readings,
   return best_s;
 }
 
-/// The chosen photographs as ClockViews, registered at a given clock correction; failures are skipped.
+/// ClockViews of the chosen photographs, registered with a given clock correction. Failed registrations are skipped.
 std::vector<ClockView> views_at(const Stage& stage, std::span<const Reading> readings,
                                 std::span<const std::size_t> which, double clock_s) {
   const auto all = placed(stage, readings, clock_s, which, Registering::fine);

@@ -15,7 +15,7 @@ namespace {
 
 /// Relative error of light due to a tone curve's error between the levels at which the curve is defined.
 ///
-/// Source  measured curves of five cameras: 0.003
+/// Source  0.003, from the measured curves of five cameras
 constexpr double between_tents = 0.005;
 
 /// Relative error of light due to second-order effects of weather, which the linear nuisances do not cover.
@@ -28,14 +28,14 @@ double error_of_computation(double value, double brightest) {
   return std::hypot(of_value, of_brightest * brightest / value);
 }
 
-/// Correlation between the errors of computed light in two bins, in one channel. It falls with the bins' distance.
+/// Correlation between errors of computed light in two bins, in one channel. It falls with distance between the bins.
 double correlation_of_computation(double distance_km) {
   constexpr double alike_km = 500;
   return std::exp(-distance_km / alike_km);
 }
 
-/// Covariance (bin, bin) of the bins' errors due to the Moon's map, in one channel. The map's error is 1.2 % in each
-/// area of 200 km, independently, and is averaged over a bin.
+/// Covariance (bin, bin) of the errors that the Moon's map causes in one channel. The map has an independent error of
+/// 1.2 % in each square of 200 km, and its errors are averaged over a bin.
 algebra::Grid<double> covariances_of_map(const FitScene& scene) {
   constexpr double error = 0.012, place_px = 200 / fit_pixel_km;
   constexpr auto across = static_cast<std::size_t>(fit_side_px / place_px) + 1;
@@ -70,7 +70,7 @@ void add_measurements(const Binned& photograph, std::size_t index, const colour:
       const double value = values(b, k), noise = errors(b, k) / value;
       if (value <= 0 || noise > too_noisy || value < too_dark * brightest) continue;
       double logarithm = std::log(value / photograph.errors.value_per_cd_m2.value_or(1));
-      if (!slopes.empty())  // as if binned with the cameras' mean tone curve
+      if (!slopes.empty())  // convert to the mean tone curve of all cameras
         for (std::size_t n = 0; n < colour::tone_numbers; ++n)
           logarithm -= slopes(b, k)[n] * curve.numbers[n];
       all.push_back({index, b, k, logarithm,
@@ -197,7 +197,7 @@ colour::ToneCurve ComparedNight::curve(const algebra::Grid<double>& light) const
   if (!curved_) return curve;
   const auto found = nuisances_.expected(residuals_by_the_clock(light));
   for (std::size_t n = 0; n < colour::tone_numbers; ++n)
-    curve.numbers[n] = -found[first_.at("tone curve") + n];  // so that it removes the excess light
+    curve.numbers[n] = -found[first_.at("tone curve") + n];  // negated to remove the excess light
   return curve;
 }
 
@@ -223,7 +223,7 @@ std::vector<MeasuredLight> ComparedNight::measured(const algebra::Grid<double>& 
     Sum measured, model;
     std::vector<double> weights;
   };
-  std::map<std::pair<long, std::size_t>, Step> steps;  // [step, channel]
+  std::map<std::pair<long, std::size_t>, Step> steps;  // keyed by distance step and channel
   for (std::size_t i = 0; i < measurements_.size(); ++i) {
     const auto& [p, b, k, logarithm, error, of_computation] = measurements_[i];
     const double km = distances_km_[p][b],
@@ -249,7 +249,7 @@ std::vector<Misfit> ComparedNight::misfits(const algebra::Grid<double>& light) c
     Sum whole;
     std::map<long, Sum> steps;
   };
-  std::map<std::pair<std::size_t, std::size_t>, InChannel> sums;  // [photograph, channel]
+  std::map<std::pair<std::size_t, std::size_t>, InChannel> sums;  // keyed by photograph and channel
   for (std::size_t i = 0; i < measurements_.size(); ++i) {
     const auto& [p, b, k, logarithm, error, of_computation] = measurements_[i];
     const double km = distances_km_[p][b], left = differences[i] - of_night[i];

@@ -13,28 +13,28 @@ namespace coppermoon::uses {
 
 /// Measured light at a distance from the shadow's axis, beside the light computed for the best-fitting air.
 struct MeasuredLight {
-  double distance_km;   ///< from the shadow's axis
-  std::size_t channel;  ///< red, green, blue
-  double light, model;  ///< relative to full sunlight
-  double error;         ///< standard error of the light's logarithm
+  double distance_km;   ///< distance from the shadow's axis
+  std::size_t channel;  ///< 0 is red, 1 green, 2 blue
+  double light, model;  ///< measured and computed light, relative to full sunlight
+  double error;         ///< standard error of the logarithm of measured light
 };
 
-/// How a photograph's light in one channel differs from the light computed for an air, as the logarithm of their ratio.
-/// The night's nuisance parameters have their posterior mean, and the photograph's own are 0.
+/// Difference between a photograph's light in one channel and the light computed for an air, as the logarithm of their
+/// ratio. The nuisance parameters that a night shares have their posterior mean. Those of single photographs are 0.
 struct Misfit {
-  std::size_t photograph, channel;  ///< channel: red, green or blue
+  std::size_t photograph, channel;  ///< index of the photograph; channel 0 is red, 1 green, 2 blue
   std::size_t count;                ///< number of measurements
   double chi_squared;               ///< part of χ² that comes from this photograph and channel
-  double mean, scatter;             ///< weighted mean difference, and standard deviation
+  double mean, scatter;             ///< weighted mean difference, and its standard deviation
   double worst_km,
-      worst;  ///< distance from the shadow's axis with the largest χ², and the difference there
-  std::string file{};  ///< of the photograph
+      worst;  ///< distance from the shadow's axis at which χ² is largest, and the difference there
+  std::string file{};  ///< name of the photograph's file
 };
 
-/// Photographs from one camera and night as a data set of logarithms of light, one for each bin and channel.
+/// Photographs from one camera and night as a data set. A measurement is the logarithm of light in a bin and channel.
 ///
 /// The noise of a measurement has three parts. The first is the noise of its pixels. The second is the error of the
-/// Moon's map, 1.2 % in each area of 200 km, or about 0.3 % in a bin. The third is the error of the computed light,
+/// Moon's map, 1.2 % in each square of 200 km, or about 0.3 % in a bin. The third is the error of the computed light,
 /// which nearby bins share: 0.05 % of the light and 0.02 % of the light in the bin's brightest channel. The nuisance
 /// parameters come from nuisances_of.
 class ComparedNight {
@@ -49,26 +49,26 @@ class ComparedNight {
 
   /// Goodness of fit for an air, with the nuisance parameters marginalised.
   ///
-  /// Given  light  computed for that air, in rows as NightRows orders them
+  /// Given  light  computed for that air, with rows in the order of NightRows
   GoodnessOfFit goodness(const algebra::Grid<double>& light) const;
 
-  /// Posterior mean of the camera's tone curve, given the light computed for an air. If the photographs are linear, it
-  /// is the mean curve of all cameras.
+  /// Posterior mean of the camera's tone curve, given the light computed for an air. If the photographs are linear, the
+  /// result is the mean curve of all cameras.
   colour::ToneCurve curve(const algebra::Grid<double>& light) const;
 
   /// Posterior mean of the camera's colour matrix, given the light computed for an air.
   Mixing mixing(const algebra::Grid<double>& light) const;
 
-  /// Measured light in steps of 100 km of distance from the shadow's axis, beside the given light computed for an air.
+  /// Measured light in steps of 100 km of distance from the shadow's axis, together with the light computed for an air.
   /// Nuisance parameters have their posterior mean.
   std::vector<MeasuredLight> measured(const algebra::Grid<double>& light) const;
 
-  /// Misfits in the order of photographs, then channels, given the light computed for an air. A misfit's part of χ² is
-  /// the sum of its terms in Σ r C⁻¹ r, less what the night's shared parameters explain.
+  /// Misfits for each photograph and channel, given the light of an air. The χ² of a misfit is part of (r − s)ᵀ C⁻¹ r,
+  /// with the residuals r, their covariance C, and the part s of r that the night's shared parameters explain.
   std::vector<Misfit> misfits(const algebra::Grid<double>& light) const;
 
  private:
-  /// Logarithms of measured / computed light, and how the computed ones change per second of clock correction.
+  /// Logarithms of measured / computed light, and the change of ln(computed light) per second of clock correction.
   struct Residuals {
     std::vector<double> differences, per_second;
   };
@@ -81,11 +81,11 @@ class ComparedNight {
   bool curved_ = false, mixed_ = false;
   double mixing_error_ = 0, saturation_error_ = 0;
   std::vector<Measurement> measurements_;
-  std::vector<std::vector<double>> distances_km_;      // [photograph][bin]
-  std::vector<std::array<double, 3>> sunlight_;        // [photograph][channel]
-  std::vector<std::optional<CameraColours>> colours_;  // [photograph]
-  std::map<std::string_view, std::size_t> first_;      // first column of each nuisance
-  std::size_t first_own_ = 0;  // first column of photographs' own parameters
+  std::vector<std::vector<double>> distances_km_;      // distance for each photograph and bin
+  std::vector<std::array<double, 3>> sunlight_;        // sunlight for each photograph and channel
+  std::vector<std::optional<CameraColours>> colours_;  // camera colours for each photograph
+  std::map<std::string_view, std::size_t> first_;      // first matrix column of each nuisance
+  std::size_t first_own_ = 0;  // first matrix column of single photographs' parameters
   Nuisances nuisances_;
 };
 

@@ -19,7 +19,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Greatest number of times that nights are processed again.
+/// Greatest number of times that a night is processed again.
 constexpr int most_turns = 4;
 
 struct Earlier {
@@ -54,10 +54,10 @@ class Steps {
 using ByNight = std::map<std::pair<std::string, double>, std::vector<std::size_t>>;
 using ByInstant = std::map<almanac::Instant, std::vector<MeasuredMagnitude>, Earlier>;
 
-/// Records why photographs cannot be used, and keeps the first of the errors.
+/// Records why photographs cannot be used, and keeps the first error.
 struct LeftOut {
   const FitRequest& request;
-  std::vector<ReadPhotograph>& photographs;  ///< in the order of the request
+  std::vector<ReadPhotograph>& photographs;  ///< photographs in the order of the request
   std::optional<algebra::Error> first{};
 
   void add(std::size_t i, const algebra::Error& error) {
@@ -75,7 +75,7 @@ ByNight nights_of(const FitRequest& request, LeftOut& left_out) {
         require_eclipse(photograph.instant);
       const auto eclipse = eclipse::nearest_eclipse(
           photograph.instant, eclipse::ShadowConvention::danjon, almanac::LunarTheory::moon98);
-      // a gain has no unit, so another gain counts as another camera
+      // gains have no common unit, so photographs with different gains are treated as from different cameras
       const auto camera =
           camera_of(photograph.file).value_or("") + settings_of(photograph.file).gain.value_or("");
       nights[{camera, std::round(eclipse.greatest.tt_day)}].push_back(i);
@@ -85,7 +85,7 @@ ByNight nights_of(const FitRequest& request, LeftOut& left_out) {
   return nights;
 }
 
-/// Camera response for a photograph if the request names none.
+/// Camera response that is used for a photograph if the request names none.
 std::optional<std::string> usual_response(const EclipsePhotograph& photograph) {
   const auto camera = camera_of(photograph.file);
   const bool own_curve = is_curved(photograph);
@@ -94,7 +94,7 @@ std::optional<std::string> usual_response(const EclipsePhotograph& photograph) {
   return own_curve ? std::optional<std::string>("canon-eos-600d") : std::nullopt;
 }
 
-/// Request for one night: it has only the photographs with the given indices, and their camera's response.
+/// Request for one night, reduced to the photographs with the given indices and completed by their camera's response.
 FitRequest request_of(FitRequest request, const std::vector<std::size_t>& indices) {
   const auto all = std::exchange(request.photographs, {});
   for (const auto i : indices) request.photographs.push_back(all[i]);
@@ -115,8 +115,8 @@ struct NightOf {
   std::vector<Again> turns{};
 };
 
-/// Fits the air to nights and magnitudes. While the result calls for a night to be processed again (see why_again), the
-/// night is processed and the air is fitted again.
+/// Fits the air to nights and magnitudes. If the result shows that a night should be processed again (see why_again),
+/// the night is processed and the air is fitted again.
 AirFit fitted(std::vector<NightOf>& nights, const std::vector<DataSet>& magnitudes, Steps& steps) {
   auto progress = steps.next();
   for (int turn = 0;; ++turn) {

@@ -32,44 +32,44 @@ struct FitRequest {
   std::optional<Unknowns> unknowns = {};  ///< what to fit; if absent, usual_unknowns decides
   std::vector<EclipsePhotograph> photographs = {};
   std::vector<MeasuredMagnitude> magnitudes = {};
-  /// Sets the air (apart from the unknowns), limb darkening, scattered light, starlight, map, photometry and response;
-  /// the rest is ignored.
+  /// Supplies the air (apart from the unknowns), limb darkening, scattered light, starlight, map, photometry and
+  /// response. Its other members are ignored.
   MoonRequest moon = {};
   ViewRequest view = {};  ///< the photographer's place, and the air above it
-  /// One of colour::camera_names(), which sets the luminance that saturates the sensor; if empty, ISO 12232 does.
+  /// One of colour::camera_names(), for the luminance that saturates the sensor. If empty, ISO 12232 gives it.
   std::string camera = {};
-  /// Standard error of the logarithm of exposure that a night's photographs share, 0.001 to 10. If absent, it is 0.1,
-  /// or 10 for photographs with a camera's own tone curve, which leaves their exposure free.
+  /// Standard error of the logarithm of exposure, which all photographs of a night share, 0.001 to 10. If absent, it is
+  /// 0.1, or 10 if the exposure is free, as for photographs with a camera's own tone curve.
   std::optional<double> exposure_error = {};
-  /// Standard error of the logarithm of one exposure relative to the night's others, 0.001 to 10. If absent, it is 0.03,
-  /// or 0.1 for photographs with a camera's own tone curve.
+  /// Standard error of the logarithm of one exposure relative to the night's others, 0.001 to 10. If absent, it is
+  /// 0.03, or 0.1 for photographs with a camera's own tone curve.
   std::optional<double> shutter_error = {};
   /// Standard error of the logarithms of red / green and blue / green, 0.001 to 10. If absent, it is 0.03. For
-  /// photographs with a camera's own tone curve it is 0.06 if the header has the gains as shot and the camera's filters
-  /// are known, 0.2 if only the gains are known, else 0.3.
+  /// photographs with a camera's own tone curve it is 0.06 if the header has the white-balance gains as shot and the
+  /// camera's filters are known, 0.2 if only the gains are known, else 0.3.
   std::optional<double> white_balance_error = {};
-  /// Relative error of the light from 30 degrees of the limb due to weather in usual air, 0 to 1. If absent, it is 0.2
-  /// for raw files and for JPEGs straight from a camera, else 0.
+  /// Relative error of light due to weather along 30 degrees of the Earth's limb, in typical air, 0 to 1. If absent, it
+  /// is 0.2 for raw files and for JPEGs straight from a camera, else 0.
   std::optional<double> weather_error = {};
   /// Standard error of each camera's clock [s], 0 (exact) to 3600. If it exceeds 300, corrections of up to three times
-  /// the error are searched.
+  /// this error are tried.
   double clock_error_s = 0;
-  bool response_assumed = false;  ///< whether the response in `moon` stands in for the camera's
+  bool response_assumed = false;  ///< whether `moon.response` stands in for an unknown response
   bool half_hours_free = false;   ///< whether times may be off by any number of half hours
-  /// Largest clock correction to search for [s], even if clock_error_s is smaller. Partial phases must show it.
+  /// Largest clock correction to try [s], even if clock_error_s is smaller. It can be found only from partial phases.
   double clock_search_s = 0;
 };
 
 /// How a photograph was read, or why it was left out.
 struct ReadPhotograph {
   colour::Registration registration{};
-  bool exposure_known = false;   ///< if false, the exposure is free
-  std::size_t measurements = 0;  ///< number of bins and channels used
-  bool curved = false;           ///< whether its tone curve is its camera's own and is fitted
+  bool exposure_known = false;   ///< if false, the fit leaves the exposure free
+  std::size_t measurements = 0;  ///< number of measurements, one for each bin and channel used
+  bool curved = false;           ///< whether the camera's own tone curve was fitted
   std::optional<ClippedAt> clipped_at{};  ///< pixel value that counts as clipped, if not 1
-  std::string left_out{};  ///< why it was left out, in one line; empty if it was used
+  std::string left_out{};  ///< one-line reason why it was left out; empty if it was used
   std::string file{};
-  std::optional<std::string> instant{};  ///< time as given, UTC; absent if unknown
+  std::optional<std::string> instant{};  ///< time of the photograph in UTC; absent if unknown
 };
 
 /// An error's message without the file name at its beginning.
@@ -77,29 +77,29 @@ std::string reason_without_name(const std::string& file, const algebra::Error& e
 
 /// Reason to process a night again with the results of the fit.
 enum class Again {
-  no,            ///< nothing would change
-  in_its_air,    ///< photographs were registered under usual air, not the air found
+  no,            ///< no reason, because nothing would change
+  in_its_air,    ///< photographs were registered with the assumed air, not with the fitted air
   by_its_curve,  ///< photographs were read with a tone curve that has since changed
-  nearby         ///< light was computed at nodes too far from the air that was found
+  nearby         ///< light was computed at nodes that are too far from the fitted air
 };
 
 /// What the fit found about one night's camera and photographs.
 struct FittedNight {
-  std::vector<std::size_t> photographs;  ///< indices in the request
-  std::optional<ClockError> clock;       ///< absent if clock_error_s is 0
-  /// Camera response: the one requested, else the camera's own if it is known, else the usual one for such files.
+  std::vector<std::size_t> photographs;  ///< indices of the night's photographs in the request
+  std::optional<ClockError> clock;       ///< clock correction; absent if clock_error_s is 0
+  /// Camera response: the one requested, else the camera's own if it is known, else the default for such files.
   std::optional<std::string> response;
   std::optional<colour::ToneCurve> curve;
-  std::vector<MeasuredLight> light;  ///< in order of distance
-  std::vector<Misfit> misfits;       ///< their photographs are indices in the request
-  std::vector<Again> turns;          ///< why it was processed again, for each time
-  std::vector<std::string> files;    ///< names of its photographs
+  std::vector<MeasuredLight> light;  ///< measured light, in order of distance from the axis
+  std::vector<Misfit> misfits;       ///< misfits, with indices of photographs in the request
+  std::vector<Again> turns;          ///< reason for each time that the night was processed again
+  std::vector<std::string> files;    ///< file names of the night's photographs
 };
 
-/// The air that was found, and the photographs and cameras it was found from.
+/// Result of a fit: the air, and what was found about the photographs and cameras.
 struct FitReport {
   AirFit fit;
-  std::vector<ReadPhotograph> photographs;  ///< in the order of the request
+  std::vector<ReadPhotograph> photographs;  ///< photographs in the order of the request
   std::vector<FittedNight> nights;
 };
 
@@ -115,7 +115,7 @@ Unknowns unknowns_of(const FitRequest& request);
 ///
 /// If no response is given, light is computed for the filters of the camera that the file's header names, if they are
 /// known. For JPEGs from other cameras, the filters of a Canon EOS 600D are assumed, because cameras differ less from
-/// each other than from the CIE observer; the differences between cameras then count as an error. Photographs from one
+/// each other than from the CIE observer. The differences between cameras then count as an error. Photographs from one
 /// camera and eclipse share a clock, a tone curve, and an error of exposure. A photograph that cannot be used is left
 /// out as long as other data remain.
 ///

@@ -31,7 +31,7 @@ using std::numbers::pi;
 
 constexpr std::size_t texture_rows = 512;
 
-/// Least cosine of the emission angle of compared ground. Nearer the limb, errors of the map and blur are larger.
+/// Least cosine of the emission angle at which ground is compared. Nearer the limb, map errors and blur are larger.
 constexpr double least_cosine = 0.4;
 
 constexpr std::size_t bin_count = 16;
@@ -44,7 +44,7 @@ ViewRequest close_view(ViewRequest view, const almanac::SkyState& sky) {
   return view;
 }
 
-/// Map of the Moon's ground as the Sun lights it in white light, without the shadow.
+/// Map of the Moon's ground as the Sun lights it, in white light and without the Earth's shadow.
 Channel sunlit_map(const MoonRequest& moon, const FitGroundwork& groundwork,
                    const almanac::SkyState& sky) {
   const auto* ground = groundwork.ground.get();
@@ -79,7 +79,7 @@ std::vector<Ground> grounds_of(const povray_scenes::SceneCamera& camera,
   return grounds;
 }
 
-/// Projects a map to a picture: each pixel has the map's value at the ground it shows.
+/// Projects a map onto a picture. Each pixel gets the map's value at the ground that the pixel shows.
 Channel picture_of(const Channel& map, const std::vector<Ground>& grounds) {
   Channel picture(fit_side_px, fit_side_px);
   for (const auto& ground : grounds)
@@ -88,7 +88,7 @@ Channel picture_of(const Channel& map, const std::vector<Ground>& grounds) {
   return picture;
 }
 
-/// Assigns the pixels well within the limb to bins, in equal steps of distance from the shadow's axis.
+/// Assigns the pixels well within the limb to bins, which are equal steps of distance from the shadow's axis.
 void bin(FitScene& scene, const Channel& sunlit, const std::vector<Ground>& grounds,
          const surface::Ground* by_place) {
   double least = 1e12, most = 0;
@@ -116,7 +116,7 @@ void bin(FitScene& scene, const Channel& sunlit, const std::vector<Ground>& grou
   for (std::size_t b = 0; b < bin_count; ++b) scene.distances_km[b] /= std::max(1., counts[b]);
 }
 
-/// Request for light with which photographs are registered. It needs to be accurate only to 5 %.
+/// Request for the light that is used to register photographs. This light needs to be accurate only to 5 %.
 LightRequest to_register(const LightRequest& light) {
   LightRequest coarse;
   coarse.air = light.air;
@@ -127,7 +127,7 @@ LightRequest to_register(const LightRequest& light) {
   return coarse;
 }
 
-/// X, Y, Z of each pixel that shows ground, computed for the usual air and seen from space.
+/// X, Y, Z of each pixel that shows ground, computed for the assumed air and as seen from space.
 std::vector<std::array<double, 3>> usual_light(const FitGroundwork& groundwork,
                                                const Channel& sunlit,
                                                const std::vector<Ground>& grounds) {
@@ -160,7 +160,7 @@ colour::Image moon_in_rgb(const FitScene& scene, const std::optional<std::string
   return moon;
 }
 
-/// Ratio of a picture's light to sunlit light in each bin: (bin, channel).
+/// Ratio of a picture's light to light without the shadow, for each bin and channel: a grid (bin, channel).
 algebra::Grid<double> over_sunlit(const FitScene& scene, const colour::Image& picture) {
   algebra::Grid<double> values(scene.bins, 3);
   std::vector<double> sunlit(scene.bins);
@@ -173,8 +173,8 @@ algebra::Grid<double> over_sunlit(const FitScene& scene, const colour::Image& pi
   return values;
 }
 
-/// Weights that give X, Y, Z of moonlight in one response, then in each other camera's and the CIE 1931 observer's: a
-/// grid with rows X, Y, Z of each and a column for each band.
+/// Weights that give X, Y, Z of moonlight through the given response, then through each other camera's filters, then
+/// for the CIE 1931 observer. Each of these has three rows (X, Y, Z) in the grid, and each band has a column.
 algebra::Grid<double> through_all_filters(const std::optional<std::string>& response) {
   std::vector<algebra::Grid<double>> all{xyz_of_moonlight(response)};
   auto names = colour::camera_spectra_names();

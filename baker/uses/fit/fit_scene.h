@@ -22,56 +22,56 @@
 
 namespace coppermoon::uses {
 
-/// Size on the Moon of a scene's pixel in the middle of the disc [km].
+/// Width of the ground that a pixel of a scene shows in the middle of the disc [km].
 inline constexpr double fit_pixel_km =
     2 * algebra::in_kilometres(almanac::lunar_radius) / (fit_disc_share * fit_side_px);
 
 /// Least ratio of a channel's light to the brightest channel's light. Cameras do not write smaller ratios.
 inline constexpr double least_of_brightest = 0.003;
 
-/// The ground shown by a pixel of a scene. Only pixels well within the limb have one.
+/// The ground that a pixel of a scene shows. It is known only for pixels well within the limb.
 struct FitGround {
-  std::size_t pixel;  ///< row × columns + column
-  glm::dvec3 ground;  ///< unit vector, Moon-fixed
+  std::size_t pixel;  ///< index of the pixel: row × columns + column
+  glm::dvec3 ground;  ///< unit vector to the ground, Moon-fixed
   double sunlit;      ///< light without the shadow; 1 for white ground at 1 au
   double colour;      ///< ground's colour c, as in surface::Ground; 0 for the mean Moon
-  std::size_t bin;    ///< step of distance from the shadow's axis
+  std::size_t bin;    ///< index of the bin, a step of distance from the shadow's axis
 };
 
-/// The Moon at one moment as an observer sees it, in a picture of fit_side_px a side, to be compared with photographs.
+/// The Moon at one moment as an observer sees it, in a square picture fit_side_px wide, to compare with photographs.
 struct FitScene {
   almanac::SkyState sky;
-  algebra::Grid<float> usual;  ///< luminance for the usual air, for registration
-  colour::Disc disc;           ///< in `usual`
+  algebra::Grid<float> usual;  ///< luminance in the assumed air, for registration
+  colour::Disc disc;           ///< the Moon's disc in `usual`
   std::vector<FitGround> grounds;
   std::size_t bins = 0;
-  std::vector<double> distances_km;    ///< [bin] mean distance from the axis
-  algebra::Grid<double> weights;       ///< (X Y Z, band): weights of moonlight seen through the air
+  std::vector<double> distances_km;    ///< mean distance of each bin from the shadow's axis
+  algebra::Grid<double> weights;       ///< weights for moonlight through the air: (X Y Z, band)
   double pixel_rad = 0;                ///< angular size of a pixel
-  colour::Image moon;                  ///< for the usual air, in linear Rec.709
-  colour::Image glow = {};             ///< from glow_of; empty if not yet computed
-  algebra::Grid<double> usual_values;  ///< (bin, channel): light of `moon` / sunlit light
-  /// Grid (bin, channel) for each other camera, with the logarithm of light through its filters / light through the
+  colour::Image moon;                  ///< the Moon in the assumed air, in linear Rec.709
+  colour::Image glow = {};             ///< glow around the Moon; empty if not yet computed
+  algebra::Grid<double> usual_values;  ///< ratio of light to full sunlight: (bin, channel)
+  /// For each other camera, a grid (bin, channel) of the logarithm of light through its filters / light through the
   /// assumed response. Empty if the response is known.
   std::vector<algebra::Grid<double>> by_filters = {};
 };
 
-/// Map and light that all scenes of one eclipse share.
+/// Maps and light that all scenes of one eclipse share.
 struct FitGroundwork {
-  algebra::Grid<float> albedo;                    ///< normal albedo
+  algebra::Grid<float> albedo;                    ///< map of normal albedo
   std::shared_ptr<const surface::Ground> ground;  ///< map of colour and surge; nullptr if uniform
-  shadow::Lookup usual;  ///< X, Y, Z of moonlight for the usual air, seen from space
-  /// X, Y, Z of moonlight for the usual air, through the assumed response and then through each other camera's filters.
-  /// Absent if the response is known.
+  shadow::Lookup usual;  ///< X, Y, Z of moonlight in the assumed air, seen from space
+  /// X, Y, Z of moonlight in the assumed air: first through the assumed response, then through each other camera's
+  /// filters. Absent if the response is known.
   std::optional<shadow::Lookup> by_filters = {};
 };
 
-/// Light of sunlit ground outside the shadow, converted by rec709_of.
+/// Light of ground in full sunlight, outside the shadow, converted by rec709_of.
 ///
-/// Given  weights  (X Y Z, band)
+/// Given  weights  grid (X Y Z, band) for moonlight
 std::array<double, 3> sunlight_of(const algebra::Grid<double>& weights);
 
-/// Computes the groundwork for the scenes of an eclipse.
+/// Computes the maps and light that the scenes of an eclipse share.
 ///
 /// Given   moon   request for light, map and response
 ///         skies  in order of time, at most a few minutes apart
@@ -82,14 +82,14 @@ FitGroundwork groundwork_of(const MoonRequest& moon, std::span<const almanac::Sk
 
 /// Computes the scene at one moment.
 ///
-/// Given   moon        photometry and response; the rest is ignored
-///         groundwork  for the same Moon and eclipse
-///         view        observer, and the air above; the frame is ignored
+/// Given   moon        supplies photometry and response; its other members are ignored
+///         groundwork  computed for the same Moon and eclipse
+///         view        supplies the observer and the air above; its frame is ignored
 /// Throws  Error       when no eclipse is under way; as view_of
 FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
                    const ViewRequest& view, const almanac::SkyState& sky);
 
-/// Glow around a scene's Moon as if the lens scattered all of its light, in linear Rec.709.
+/// Glow around the Moon of a scene, in linear Rec.709, for a lens that scatters all of the Moon's light.
 colour::Image glow_of(const FitScene& scene);
 
 /// Whether the whole Moon lies within the umbra.

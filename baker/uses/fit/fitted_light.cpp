@@ -12,10 +12,10 @@ namespace {
 
 using InOzone = FittedLight::InOzone;
 
-/// Transforms an amount or factor to ln(1 + number / scale), as a function of which the logarithm of light is smooth.
+/// Transforms an amount or factor to ln(1 + number / scale). The logarithm of light is a smooth function of the result.
 double smooth(double number, double scale) { return std::log1p(number / scale); }
 
-/// Numbers that cover a range in even steps on the scale of `smooth`.
+/// Numbers that cover a range in steps that are equal after transformation by `smooth`.
 std::vector<double> even_on_scale(const std::array<double, 2>& range, double scale, int count) {
   std::vector<double> all;
   const double from = smooth(range[0], scale), to = smooth(range[1], scale);
@@ -24,11 +24,11 @@ std::vector<double> even_on_scale(const std::array<double, 2>& range, double sca
   return all;
 }
 
-/// Scale of `smooth` for dust. With ten nodes evenly spaced on this scale, cubics have errors of 4e-4 for dust up to
-/// 3e-6 per metre, 1e-3 up to 8e-6, 5e-3 up to 1.5e-5, and 2e-2 beyond.
+/// Scale of `smooth` for dust. With ten nodes evenly spaced on this scale, cubic interpolation has relative errors of
+/// 4e-4 for dust up to 3e-6 per metre, 1e-3 up to 8e-6, 5e-3 up to 1.5e-5, and 2e-2 beyond.
 constexpr double scale_of_dust_per_m = 2e-6;
 
-/// Scale of `smooth` for stratospheric aerosol, as a vertical optical depth. This depth is about 1 along a grazing ray.
+/// Scale of `smooth` for stratospheric aerosol, as a vertical optical depth. Along a grazing ray, this gives about 1.
 constexpr double scale_of_depth = 0.015;
 
 /// Scale of `smooth` for factors on the chance of cloud.
@@ -38,7 +38,7 @@ double smooth_cloud(Unknowns unknowns, double cloud) {
   return unknowns == Unknowns::factors ? smooth(cloud, scale_of_cloud_chance) : cloud;
 }
 
-/// Weights of the aerosol nodes for interpolation by a cubic through the four nearest, on the scale of `smooth`.
+/// Weights of the aerosol nodes for cubic interpolation between the four nearest nodes, on the scale of `smooth`.
 std::vector<double> shares_of_aerosol(std::span<const double> aerosols, double aerosol,
                                       double scale) {
   constexpr std::size_t near = 4;
@@ -67,11 +67,11 @@ std::vector<double> some(const std::vector<double>& all, std::span<const std::si
 
 /// Nodes at which light is computed, over the given range; if absent, over the whole range of the unknowns.
 ///
-/// If fine, there are three values of ozone. The first has all nodes of aerosol and cloud. The other two have only
-/// some, because the ratio of light at two values of ozone is smoother than light itself. For amounts, they have five
-/// nodes of dust; the errors between these, at 100 and 350 DU, are 8e-4 for dust up to 3e-6 per metre, 1.4e-3 up to
-/// 8e-6, and 3e-3 up to 1.5e-5. Near 280 DU they are 0. If a range is given, steps of aerosol and cloud are at most a
-/// third as long, so the errors of cubics are a hundred times smaller.
+/// If `airs` is fine, there are three values of ozone. The first value has all nodes of aerosol and cloud. The other
+/// two have only some, because the ratio of light at two values of ozone is smoother than light itself. For amounts,
+/// they have five nodes of dust. Between these nodes, relative errors at 100 and 350 DU are 8e-4 for dust up to 3e-6
+/// per metre, 1.4e-3 up to 8e-6, and 3e-3 up to 1.5e-5. Near 280 DU they are 0. If a range is given, steps of aerosol
+/// and cloud are at most a third as long, so the errors of cubics are a hundred times smaller.
 std::vector<InOzone> nodes_of(Unknowns unknowns, FittedAirs airs, double aerosol_scale,
                               const std::optional<AirRange>& range) {
   using Which = std::vector<std::size_t>;
@@ -162,7 +162,7 @@ FittedLight::OverCloud FittedLight::over_cloud(double aerosol, double ozone) con
   std::vector<double> ozones;
   for (const auto& node : nodes_) ozones.push_back(node.ozone);
   auto of_ozone = algebra::on_polynomial(ozones, ozone);
-  of_ozone.front() = 1;  // nodes at other ozone hold ratios to the first
+  of_ozone.front() = 1;  // because nodes at other values of ozone hold ratios to the first
   const auto& first = nodes_.front();
   const auto& form = first.logarithms.front();
   const auto on_scale = [&](const std::vector<double>& clouds) {

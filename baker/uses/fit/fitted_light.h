@@ -9,12 +9,12 @@
 
 namespace coppermoon::uses {
 
-/// How finely light is computed over the range of air. Coarse is for finding a clock's error: it has few values of
+/// How densely nodes cover the range of air. Coarse nodes are for finding a clock's error: there are few values of
 /// aerosol and cloud, one of ozone, and no scattered light.
 enum class FittedAirs { fine, coarse };
 
-/// Binned light of a Moon on its way through the shadow, for any values of the air's unknowns. It is interpolated
-/// between nodes, at which light_in_bins computes it.
+/// Light of the Moon on its way through the shadow, averaged over bins, for any values of the unknowns of the air. It
+/// is interpolated between nodes, at which light_in_bins computes it.
 ///
 /// Nodes cover all or part of the range of each unknown. Between nodes, the logarithm of light is interpolated by
 /// cubics in aerosol and parabolas in ozone. Under a partial deck of cloud, light is the weighted mean of clear and
@@ -27,34 +27,34 @@ enum class FittedAirs { fine, coarse };
 ///           if the range is at most a third of the whole range: 0.3 % in X, Y and Z
 class FittedLight {
  public:
-  /// Given  request  air (apart from the unknowns), limb darkening and scattered light; the rest is ignored
-  ///        skies    one or more from one eclipse, in order of time, among them the moments of all parts
-  ///        parts    with equal numbers of channels
-  ///        range    of the unknowns; if absent, the whole range
+  /// Given  request  supplies air (apart from the unknowns), limb darkening and scattered light; the rest is ignored
+  ///        skies    one or more from one eclipse, in order of time, including the moments of all `parts`
+  ///        parts    bins at each moment, all with the same number of channels
+  ///        range    range of the unknowns; if absent, the whole range
   FittedLight(const LightRequest& request, Unknowns unknowns,
               std::span<const almanac::SkyState> skies, std::span<const LitBins> parts,
               FittedAirs airs = FittedAirs::fine, const algebra::Progress& progress = {},
               const std::optional<AirRange>& range = {});
 
-  /// Nodes at one value of ozone, with the logarithm of light for each value of aerosol and cloud.
+  /// Nodes at one value of ozone. Each value of aerosol and cloud has a grid (bin, channel) of the logarithm of light.
   struct InOzone {
     double ozone;
     std::vector<double> aerosols, clouds;
-    std::vector<algebra::Grid<double>> logarithms;  ///< [aerosol × clouds + cloud](bin, channel)
+    std::vector<algebra::Grid<double>> logarithms;  ///< index: aerosol × clouds + cloud
   };
 
-  /// Kind of unknowns that the light depends on.
+  /// Kind of the unknowns on which the light depends.
   Unknowns unknowns() const { return unknowns_; }
   /// Range of the unknowns for which light can be interpolated.
   const AirRange& range() const { return range_; }
 
   /// Ratio of each bin's light to its light without the shadow, for given values of the unknowns.
   ///
-  /// Returned  grid (bin, channel) with the bins of all parts, one part after another
+  /// Returned  grid (bin, channel), with the bins of all moments one after another
   algebra::Grid<double> at(const AirNumbers& numbers) const;
 
-  /// Light of each bin at one value of aerosol and ozone. It holds a grid (bin, channel) at each node of cloud, from
-  /// which light under any cloud is interpolated.
+  /// Light of each bin at one value of aerosol and ozone, for any cloud. It is interpolated between nodes of cloud,
+  /// each of which has a grid (bin, channel).
   class OverCloud {
    public:
     algebra::Grid<double> under(double cloud) const;
@@ -62,8 +62,8 @@ class FittedLight {
    private:
     friend FittedLight;
     Unknowns unknowns;
-    std::vector<double> clouds{};                // nodes of cloud, on the axis of interpolation
-    std::vector<algebra::Grid<double>> light{};  // its logarithm if cloud is a factor
+    std::vector<double> clouds{};                // nodes of cloud, on the scale of interpolation
+    std::vector<algebra::Grid<double>> light{};  // light, or its logarithm if cloud is a factor
   };
   /// Light at one value of aerosol and ozone, as a function of cloud.
   OverCloud over_cloud(double aerosol, double ozone) const;
@@ -72,7 +72,7 @@ class FittedLight {
   Unknowns unknowns_;
   AirRange range_;
   double aerosol_scale_ = 1;
-  std::vector<InOzone> nodes_;  // the first holds light; the others hold ratios to it
+  std::vector<InOzone> nodes_;  // the first node holds light, the others ratios to that light
 };
 
 }  // namespace coppermoon::uses

@@ -18,7 +18,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Settings with which computed light is as exact as photographs.
+/// Settings with which light is computed about as exactly as photographs can show it.
 constexpr plan::Work work_of_fits{.scattered_light = true,
                                   .bands = 40,
                                   .rays = 200,
@@ -27,19 +27,19 @@ constexpr plan::Work work_of_fits{.scattered_light = true,
                                   .place_error = 1e-2};
 
 /// Number of sectors, between which light is interpolated by cubics, and the highest harmonic, for air without sharp
-/// borders. Compared with 96 sectors and all harmonics, errors are 2e-3 at most, 1e-4 on average.
+/// borders. Compared with 96 sectors and all harmonics, light has relative errors of 2e-3 at most, and 1e-4 on average.
 constexpr std::size_t sectors_of_fits = 48;
 constexpr int harmonics_of_fits = 24;
 
 constexpr double darkness = 1e-30;
 
-/// How the air above the observer dims each part's light. Only a few parts serve as nodes; for the others, a polynomial
-/// interpolates the logarithm of light between nodes.
+/// How the air above the observer dims light at each moment. Light is computed for a few moments, the nodes. For other
+/// moments, a polynomial interpolates the logarithm of light between nodes.
 struct AirAbove {
   std::size_t nodes = 0;
-  algebra::Grid<double> shares;  ///< weight of each node: (part, node)
-  /// Grid (row, band). Rows are the channels of the first node, then those of the next. As many rows follow for the
-  /// light that the ground's colour adds.
+  algebra::Grid<double> shares;  ///< weight of each node at each moment: (moment, node)
+  /// Grid (row, band) of spectral weights. Rows are the channels of the first node, then those of the next, and so on.
+  /// As many rows follow for the light that the ground's colour adds.
   algebra::Grid<double> weights;
 };
 
@@ -52,7 +52,7 @@ AirAbove air_above(std::span<const LitBins> parts) {
   }
   const auto [least, most] = std::ranges::minmax(dimming);
   const double count = std::clamp(std::ceil((most - least) / alike) + 1, 1., most_nodes);
-  std::vector<std::size_t> of_node;  // index of the part that serves as each node
+  std::vector<std::size_t> of_node;  // index in `parts` of each node
   for (double i = 0; i < count; ++i) {
     const double wanted = least + (most - least) * i / std::max(1., count - 1);
     const auto nearest =
@@ -75,7 +75,7 @@ AirAbove air_above(std::span<const LitBins> parts) {
   return above;
 }
 
-/// Input to the computation of light that does not depend on the unknowns.
+/// Input to the computation of light that does not depend on the unknowns of the air.
 struct Setting {
   const LightRequest& request;
   ShadowedMoon moon;
@@ -83,13 +83,13 @@ struct Setting {
   std::vector<double> waves, distances_m;
   std::span<const LitBins> parts;
   AirAbove above;
-  algebra::Grid<double> weights;                ///< weights in `above`, at each wavelength
-  std::vector<algebra::Grid<double>> direct{};  ///< sunlight clear of the air: [part](place, row)
+  algebra::Grid<double> weights;                ///< spectral weights, resampled to the wavelengths
+  std::vector<algebra::Grid<double>> direct{};  ///< sunlight clear of the air: grids (place, row)
 
   std::size_t channels_of_nodes() const { return weights.rows() / 2; }
 };
 
-/// Computes the sunlight that passes clear of the Earth and its air. Dust, cloud and ozone do not change it.
+/// Computes the sunlight that passes clear of the Earth and its air. Dust, cloud and ozone do not change this sunlight.
 void add_direct(Setting& setting, const algebra::Progress& progress) {
   const shadow::DirectLight light(setting.moon.air, setting.arrangement, setting.waves);
   const auto layers = light.in_layers(setting.weights);
@@ -123,7 +123,8 @@ std::vector<shadow::RefractedLight> refracted_in(const Setting& setting,
                                   finely);
 }
 
-/// Logarithm of light / sunlit light in the bins of part `p`, for the air above at each node: (bin, node and channel).
+/// Logarithm of light / full sunlight in the bins of moment `p`, for the air above the observer at each node. The
+/// result is a grid (bin, node × channel).
 algebra::Grid<double> in_bins(const Setting& setting, std::size_t p,
                               const shadow::RefractedLight& refracted) {
   const auto& part = setting.parts[p];
@@ -148,8 +149,8 @@ algebra::Grid<double> in_bins(const Setting& setting, std::size_t p,
   return light;
 }
 
-/// Logarithm of light / sunlit light in the bins of all parts, each seen through the air above at its moment: (bin,
-/// channel).
+/// Logarithm of light / full sunlight in the bins of all moments, each seen through the air above the observer at that
+/// moment. The result is a grid (bin, channel).
 algebra::Grid<double> in_all_bins(const Setting& setting, const shadow::RefractedLight& refracted) {
   const auto nodes = setting.above.nodes, channels = setting.channels_of_nodes() / nodes;
   std::size_t bins = 0;
@@ -167,7 +168,7 @@ algebra::Grid<double> in_all_bins(const Setting& setting, const shadow::Refracte
   return all;
 }
 
-/// Air with given values of the unknowns all along the limb. Factors multiply the air's values; amounts replace them.
+/// Air with given values of the unknowns all along the limb. Factors multiply the air's values. Amounts replace them.
 atmosphere::Atmosphere changed(atmosphere::Atmosphere air, Unknowns unknowns,
                                const AirNumbers& numbers) {
   const double aerosol = numbers[0], cloud = numbers[1], ozone = numbers[2];
@@ -193,7 +194,7 @@ atmosphere::Atmosphere changed(atmosphere::Atmosphere air, Unknowns unknowns,
   return air;
 }
 
-/// The Moon in the shadow, with its path through all moments.
+/// The Moon in the shadow, with its path through all of the given moments.
 ShadowedMoon moon_at(const LightRequest& request, std::span<const almanac::SkyState> skies) {
   auto moon = shadowed_moon(request, skies[skies.size() / 2]);
   if (skies.size() > 1)
@@ -224,7 +225,7 @@ std::vector<algebra::Grid<double>> light_in_bins(const LightRequest& request, Un
                   above,
                   at_wavelengths(above.weights, work_of_fits.bands)};
   add_direct(setting, progress);
-  // computed several at once, sorted by aerosol, because airs with similar aerosol need light at similar places
+  // airs are computed several at once, in order of aerosol, because similar aerosol needs light at similar places
   std::vector<std::size_t> order(numbers.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return numbers[i].front(); });

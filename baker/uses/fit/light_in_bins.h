@@ -24,23 +24,23 @@ struct LitPlace {
   double colour = 0;  ///< ground's colour c, as in surface::Ground
 };
 
-/// Ground of the Moon at one moment, divided into bins, as one observer sees it.
+/// Ground of the Moon at one moment, as one observer sees it, divided into bins.
 struct LitBins {
-  /// Grid (channel, band) of weights, 0 or more, that turn a spectrum into the light of mean ground in each channel.
+  /// Non-negative weights (channel, band), which turn a spectrum into the light of average ground in each channel.
   algebra::Grid<double> weights;
-  std::vector<LitPlace> places;  ///< with bins from 0 to bins − 1
+  std::vector<LitPlace> places;  ///< places on the ground, each in one of the bins 0 to bins − 1
   std::size_t bins = 0;
 };
 
-/// Binned light of a Moon on its way through the shadow, for several kinds of air. Light in the shadow is computed once
-/// for all moments. The effect of the air above the observer is interpolated between four moments or fewer.
+/// Light of the Moon on its way through the shadow, averaged over bins, for several kinds of air. Light in the shadow
+/// is computed once for all moments, and the effect of the air above the observer at four moments or fewer.
 ///
-/// Given     request    air (apart from the unknowns) and limb darkening; the rest is ignored
-///           skies      one or more from one eclipse, in order of time, among them the moments of all parts
-///           parts      with equal numbers of channels
+/// Given     request    supplies the air (apart from the unknowns) and limb darkening; the rest is ignored
+///           skies      one or more from one eclipse, in order of time, including the moments of all `parts`
+///           parts      bins at each moment, all with the same number of channels
 ///           numbers    values of the unknowns for each air
 ///           scattered  whether to include light that the air scatters
-/// Returned  [air](bin, channel): logarithm of light / sunlit light, in the bins of one part after another
+/// Returned  a grid (bin, channel) for each air, of ln(light / full sunlight), the bins of one moment after another
 std::vector<algebra::Grid<double>> light_in_bins(const LightRequest& request, Unknowns unknowns,
                                                  std::span<const almanac::SkyState> skies,
                                                  std::span<const LitBins> parts,
@@ -48,10 +48,10 @@ std::vector<algebra::Grid<double>> light_in_bins(const LightRequest& request, Un
                                                  bool scattered,
                                                  const algebra::Progress& progress = {});
 
-/// Interpolates refracted light at any place, by wavelength. It is linear between planes and cubic between sectors.
+/// Interpolates refracted light at any place, for each wavelength: linearly between planes, by cubics between sectors.
 class RefractedAt {
  public:
-  /// Given  light  in all sectors, or in the sectors around the places and one more at either end; must outlive this
+  /// Given  light  for all sectors, or for those around the places and one more on each side; must outlive this object
   explicit RefractedAt(const shadow::RefractedLight& light);
 
   /// Writes the ratio of refracted light at a place to sunlight without the shadow, for each wavelength.

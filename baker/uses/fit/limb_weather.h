@@ -10,7 +10,7 @@
 
 namespace coppermoon::uses {
 
-/// Number of parts of the Earth's limb with independent weather. Each covers 30 degrees of position angle.
+/// Number of parts of the Earth's limb with independent weather. Each part covers 30 degrees of position angle.
 inline constexpr std::size_t weather_sectors = 12;
 
 /// Shares of the light at a place in the shadow that come from each part of the Earth's limb. Part s is centred at
@@ -29,30 +29,30 @@ std::array<double, weather_sectors> shares_of_limb(const eclipse::ShadowPlace& p
 /// Share of each bin's light that comes from each part of the Earth's limb: (bin, part).
 algebra::Grid<double> limb_of_bins(const FitScene& scene);
 
-/// Kinds of weather at a part of the limb. The first changes all light, the second mainly blue, and the third light
-/// deep in the umbra relative to light near its edge. If the effect of cloud on light is known, there is no third kind.
+/// Kinds of weather at a part of the limb. The first changes all light, the second mainly blue light, and the third the
+/// light deep in the umbra relative to that near its edge. If the effect of cloud is known, there is no third kind.
 inline constexpr std::size_t weather_of_light = 0, weather_of_blue = 1, weather_kinds = 3,
                              weather_kinds_beside_cloud = 2;
 
-/// How much one kind of weather changes a channel's light, relative to how much weather of the first kind changes red.
+/// Change that a kind of weather causes in a channel's light, relative to the change that the first kind causes in red.
 ///
-/// Given  distance_km  from the shadow's axis; the umbra ends at about 4600 km
+/// Given  distance_km  distance from the shadow's axis; the umbra ends at about 4600 km
 double light_by_weather(std::size_t kind, std::size_t channel, double distance_km);
 
-/// How much of each independent change of weather is present at given moments. There is one change each hour, and
-/// weather varies linearly in between. Part of the weather persists from hour to hour. Weather systems of 1500 km cross
-/// the limb in an hour near the equator but take many hours near the poles, and regions that are cloudier or clearer
-/// than their belt stay so for a night.
+/// Weights of independent changes of weather at given moments. There is one change each hour, and weather varies
+/// linearly in between. Part of the weather persists from hour to hour. Weather systems of 1500 km cross the limb in an
+/// hour near the equator but take many hours near the poles, and regions that are cloudier or clearer than their belt
+/// stay so for a night.
 ///
 /// Given     seconds  moments, counted from any origin
 /// Returned  weights (moment, change), with a single change if all moments lie within a quarter of an hour
 algebra::Grid<double> weather_changes(std::span<const double> seconds);
 
-/// Ratio of the error of light due to weather in some air to the error in usual air. Weather changes the chance of
+/// Error of light due to weather in a given air, relative to the error in typical air. Weather changes the chance of
 /// cloud, so the more light clouds block, the more weather changes light. Other weather keeps the ratio at 0.5 or more.
 ///
-/// Given     dimming  by how much ln(red light in the umbra) falls per unit of ln(chance of cloud): 0.3 in usual air,
-///                    0.6 in air without aerosol
+/// Given     dimming  decrease of ln(red light in the umbra) per unit of ln(chance of cloud): 0.3 in typical air, 0.6
+///                    in air without aerosol
 /// Returned  0.5 or more
 double weather_over_usual(double dimming);
 

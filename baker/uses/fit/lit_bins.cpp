@@ -10,9 +10,9 @@ namespace {
 
 using std::numbers::pi;
 
-/// Adds a few places that represent all places in a bin. Places are grouped by distance from the shadow's axis, then by
-/// position angle, and each group becomes its mean. Groups are at most 10 degrees wide, because light varies unevenly
-/// over wider angles.
+/// Appends a few places that represent all places in a bin. Places are grouped by distance from the shadow's axis, then
+/// by position angle, and each group is replaced by its mean. Groups are at most 10 degrees wide, because light varies
+/// unevenly over wider angles.
 ///
 /// Given  middle_rad  position angle of the disc's centre, from which angles are counted
 void add_groups(std::span<const LitPlace> places, double middle_rad, std::vector<LitPlace>& few) {

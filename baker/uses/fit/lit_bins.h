@@ -6,7 +6,7 @@
 
 namespace coppermoon::uses {
 
-/// Moves the bins of a scene to another moment: the ground is the same, but lies elsewhere in the shadow. A few places
+/// Moves the bins of a scene to another moment, at which the same ground lies elsewhere in the shadow. A few places
 /// represent all the ground in each bin.
 LitBins lit_bins(const FitScene& scene, const almanac::SkyState& sky);
 

@@ -65,7 +65,7 @@ void require_columns(const std::vector<std::string>& names) {
 
 MeasuredMagnitude measured_in(const std::vector<std::string>& cells,
                               const std::vector<std::string>& names) {
-  // an error cannot be a whole number, or the digits after a decimal comma could be taken for one
+  // whole numbers are not accepted as errors, because they could be the digits after a decimal comma
   constexpr double least_error = 1e-3, most_error = 0.99;
   if (cells.size() < names.size()) throw algebra::Error("a line of fewer columns than the first");
   if (cells.size() > names.size())
@@ -93,7 +93,7 @@ std::vector<LitPlace> places_of(const MoonRequest& moon, const almanac::SkyState
       texture::bake({normal_albedo(moon), sky, whole}, {"Y"}, map_rows, moon.photometry);
   const auto axis = eclipse::shadow_axis(sky);
   const auto earth = sky.selenographic_from_gcrs * -sky.moon_m /
-                     algebra::in_metres(almanac::lunar_radius);  // Moon-fixed, in lunar radii
+                     algebra::in_metres(almanac::lunar_radius);  // vector to Earth [lunar radii]
   std::vector<LitPlace> places;
   for (std::size_t r = 0; r < map_rows; ++r)
     for (std::size_t c = 0; c < 2 * map_rows; ++c) {
@@ -106,7 +106,7 @@ std::vector<LitPlace> places_of(const MoonRequest& moon, const almanac::SkyState
   return places;
 }
 
-/// Magnitudes that the Moon would have without the shadow.
+/// Magnitudes that the Moon would have if the Earth cast no shadow on it.
 std::vector<double> unshadowed_magnitudes(const MoonRequest& moon, const almanac::SkyState& sky,
                                           const Photometer& meter) {
   const shadow::Lookup whole(meter.weights);

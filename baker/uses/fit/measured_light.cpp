@@ -39,7 +39,7 @@ Plot plot_of(Nights nights) {
                                measured.light * std::exp(measured.error));
           model += fmt::format("{:.1f},{:.6g}\n", measured.distance_km, measured.model);
         }
-      model += '\n';  // an empty line keeps nights from being joined
+      model += '\n';  // an empty line keeps the plot from joining two nights
     }
     const std::string name = channel_names[k],
                       colour = fmt::format("lc rgb '{}'", channel_colours[k]);

@@ -10,18 +10,18 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Least shares of the total misfit that count as most of it, and as nearly all of it.
+/// Shares of the total misfit at or above which a part of it counts as most of it, and as nearly all of it.
 constexpr double most_of_it = 0.6, nearly_all = 0.8;
 
 /// Distances from the shadow's axis at which the edge of the umbra begins and ends [km].
 constexpr double edge_km = 4000, beyond_km = 4900;
 
-/// By how much a misfit's χ² exceeds its expected value, the number of measurements.
+/// Amount by which a misfit's χ² exceeds its expected value, which is the number of measurements.
 double excess(const Misfit& misfit) {
   return std::max(0., misfit.chi_squared - static_cast<double>(misfit.count));
 }
 
-/// Share of the total excess of χ² that comes from misfits that meet a condition.
+/// Share of the total excess of χ² that comes from the misfits that meet a condition.
 double share_of(const std::vector<Misfit>& all, const std::function<bool(const Misfit&)>& chosen) {
   double sum = 0, whole = 0;
   for (const auto& misfit : all) {
@@ -31,7 +31,7 @@ double share_of(const std::vector<Misfit>& all, const std::function<bool(const M
   return whole > 0 ? sum / whole : 0;
 }
 
-/// Likely fault of a single misfitting photograph: its exposure if all channels differ alike, else its time.
+/// Likely fault of the only photograph that misfits: its exposure if all channels differ alike, else its time.
 Suspect of_one_photograph(const std::vector<Misfit>& own) {
   double sum = 0, squares = 0, scatter = 0;
   for (const auto& misfit : own) {
@@ -76,7 +76,7 @@ Suspect suspect_of(const std::vector<Misfit>& all, const Misfit& worst) {
   const auto of_worst = [&](const Misfit& one) { return one.photograph == worst.photograph; };
   if (photographs.size() > 1 && share_of(all, of_worst) > most_of_it) {
     const auto suspect = of_one_photograph(own);
-    // a wrong instant would change all channels
+    // a wrong time would change the light in all channels
     return suspect == Suspect::instant && of_channel > nearly_all ? Suspect::colours : suspect;
   }
   if (of_channel > most_of_it) return Suspect::colours;

@@ -13,12 +13,12 @@ namespace coppermoon::uses {
 
 /// Likely reason for a misfit.
 enum class Suspect {
-  instant,     ///< one photograph's instant
-  exposure,    ///< one photograph's exposure
-  colours,     ///< one channel in most photographs: the camera's response or white balance
-  clock,       ///< differences lie at the umbra's edge or change from photograph to photograph
-  tone_curve,  ///< differences extend beyond the umbra
-  air          ///< differences are alike in all photographs that show the umbra
+  instant,     ///< wrong time of one photograph
+  exposure,    ///< wrong exposure of one photograph
+  colours,     ///< wrong camera response or white balance: one channel misfits in most photographs
+  clock,       ///< wrong clock: misfits lie at the umbra's edge, or change between photographs
+  tone_curve,  ///< wrong tone curve: misfits extend beyond the umbra
+  air          ///< unsuitable air: misfits are alike in all photographs that show the umbra
 };
 
 /// Names of the suspects, in the order of the enumeration.
@@ -28,15 +28,15 @@ inline constexpr std::array<std::string_view, 6> suspect_names{"instant", "expos
 /// Likely reason for a misfit, and the photograph and channel with the largest misfit.
 struct Suspicion {
   Suspect suspect;
-  Misfit worst;                         ///< photograph and channel with the largest part of χ²
-  std::vector<std::size_t> mirrored{};  ///< mirrored photographs, if not all are
+  Misfit worst;                         ///< misfit whose χ² exceeds its expected value most
+  std::vector<std::size_t> mirrored{};  ///< indices of mirrored photographs; empty if all are
 };
 
 /// Name of the part of the shadow at a distance from its axis: "umbra", "edge of the umbra" or "penumbra".
 const char* part_of_shadow(double axis_distance_km);
 
-/// Likely reason why a fit's χ² is too large, judged by how misfits depend on photograph, channel and distance from the
-/// shadow's axis.
+/// Likely reason why a fit's χ² is too large. It is judged by how misfits depend on the photograph, the channel and the
+/// distance from the shadow's axis.
 ///
 /// Returned  nothing if there are no photographs, or if χ² is no larger than expected
 std::optional<Suspicion> suspicion_of(const FitReport& report);

@@ -19,7 +19,7 @@ namespace {
 
 using Channel = algebra::Grid<float>;
 
-/// Light above which a channel may be clipped. It is lower than any limit that `binned` uses.
+/// Level above which a channel may be clipped. It is lower than any clipping level that `binned` uses.
 constexpr float nearly_clipped = 0.84F;
 
 /// Quantisation step near black of channel `k`, in linear light; 0 if the channel has more than 8 bits.
@@ -36,7 +36,7 @@ double step_of(const texture::Image& photo, std::size_t k) {
   return 1 / 12.92 / 255;
 }
 
-/// Value of the pixel to which a square of pixels is shrunk.
+/// Value of the pixel that replaces a square of pixels when a picture is shrunk.
 float shrunk_pixel(const texture::Image& photo, std::size_t top, std::size_t left, std::size_t k,
                    std::size_t side) {
   float sum = 0, most = 0;
@@ -52,7 +52,7 @@ float shrunk_pixel(const texture::Image& photo, std::size_t top, std::size_t lef
   return most > nearly_clipped ? most : 2 * black > all ? 0 : sum / static_cast<float>(all);
 }
 
-/// Luminance of a picture shrunk by a factor of 1 or less.
+/// Luminance of a picture, resized by a factor of 1 or less.
 Channel smaller(const Channel& luminance, double size) {
   const auto extent = [&](std::size_t pixels) {
     return static_cast<std::size_t>(static_cast<double>(pixels) * size);
@@ -62,7 +62,7 @@ Channel smaller(const Channel& luminance, double size) {
                                        extent(luminance.columns()));
 }
 
-/// Finds the Moon's disc in a photograph. If noise hides the limb, half and a quarter of the size are tried.
+/// Finds the Moon's disc in a photograph. If noise hides the limb, half and a quarter of the picture's size are tried.
 colour::Disc disc_in(const Channel& luminance) {
   for (const double size : {1., 0.5, 0.25})
     if (const auto disc = colour::limb_of(smaller(luminance, size)))
@@ -73,7 +73,8 @@ colour::Disc disc_in(const Channel& luminance) {
       "lost in noise");
 }
 
-/// Registers a scene by a luminance. If that fails, half and a quarter of the size are tried, unless `roughly` is set.
+/// Registers a scene in a photograph's luminance. If this fails, half and a quarter of the size are tried as well,
+/// unless `roughly` is set.
 colour::Registration registered_by(const Channel& luminance, const FitScene& scene,
                                    const MoonPart& moon, const std::optional<double>& scale,
                                    bool roughly) {
@@ -81,7 +82,7 @@ colour::Registration registered_by(const Channel& luminance, const FitScene& sce
   for (double size = 1;; size /= 2) {
     try {
       colour::KnownBefore known{.scale = scale, .roughly = roughly};
-      // fine registration finds both discs by their limbs, because the errors of both are then alike
+      // fine registration finds both discs by their limbs, so that both have similar errors
       if (roughly) known.in_render = scene.disc;
       if (size == 1) known.in_photo = moon.disc;
       if (scale) *known.scale *= size;
@@ -99,7 +100,7 @@ colour::Registration registered_by(const Channel& luminance, const FitScene& sce
   }
 }
 
-/// Size of the photograph's or the scene's pixels, whichever are larger, in pixels of the scene.
+/// Size of the photograph's or the scene's pixels, whichever are larger, in units of the scene's pixels.
 double larger_pixel(const colour::Registration& registration) {
   return 1 / std::min(1., registration.render_to_photo.scale);
 }

@@ -12,36 +12,36 @@
 
 namespace coppermoon::uses {
 
-/// The part of a photograph that shows the Moon and its surroundings, shrunk by a whole factor. Its disc is then still
-/// at least 1.5 times as wide as a scene's, unless it was smaller before. A square of pixels that becomes one pixel
-/// gives its brightest value if any may be clipped, else 0 if most are black, else the mean.
+/// The part of a photograph that shows the Moon and its surroundings, shrunk by a whole factor. After shrinking, the
+/// disc is at least 1.5 times as wide as a scene's, unless it was smaller before. A square of pixels is replaced by one
+/// pixel. Its value is the brightest in the square if any may be clipped, else 0 if most are black, else the mean.
 struct MoonPart {
   texture::Image photo;
-  algebra::Grid<float> luminance = {};  ///< of `photo`
+  algebra::Grid<float> luminance = {};  ///< luminance of `photo`
   algebra::Grid<float> clipped =
       {};                   ///< luminance, set to its greatest value where any channel is clipped
-  colour::Disc disc = {};   ///< in `photo`
+  colour::Disc disc = {};   ///< the Moon's disc in `photo`
   double shrunk = 1;        ///< factor by which `photo` was shrunk
-  float saturated = 0.97F;  ///< light from which on a channel no longer follows the scene's
+  float saturated = 0.97F;  ///< level above which a channel is no longer proportional to light
   std::array<double, 3> steps =
-      {};  ///< quantisation steps near black, in linear light; 0 if they are fine
+      {};  ///< quantisation step of each channel near black, in linear light; 0 if it is fine
 };
 
 /// Finds the Moon in a photograph and cuts it out.
 ///
-/// Given   photo  linear light, as its coding gives it; values of 1 are saturated
+/// Given   photo  in linear light, as the file's coding gives it; values of 1 are saturated
 /// Throws  Error  when no disc is found even at half or a quarter of the size; as colour::limb_of
 MoonPart moon_part(const texture::Image& photo, float saturated = 0.97F);
 
-/// Extends the reason why a photograph cannot be registered. If half or more of the Moon is clipped or dark, the
-/// message states these shares and what is needed.
+/// Completes the reason why a photograph cannot be registered. If half or more of the Moon is clipped or dark, the
+/// message also states these shares and what is allowed.
 std::string reason_with_shares(const MoonPart& moon, const std::string& reason);
 
 /// How finely a photograph is registered.
 enum class Registering {
-  rough,       ///< coarsely, as colour::KnownBefore::roughly
+  rough,       ///< coarse registration, as with colour::KnownBefore::roughly
   fine,        ///< if noise hides the limb, the photograph is halved in size, at most twice
-  of_clipped,  ///< like fine, but if little is recognised, tries again with clipped pixels brightest
+  of_clipped,  ///< like fine; if little is recognised, clipped pixels are then treated as brightest
 };
 
 /// Finds where a scene lies in a photograph.
@@ -54,21 +54,21 @@ colour::Registration registration_of(const FitScene& scene, const MoonPart& moon
                                      Registering how = Registering::of_clipped);
 
 /// Distance between the centres of the registered disc and the disc fitted to the limb [km]. The error of the limb is
-/// subtracted: 0.3 pixels of the photograph or the scene, whichever are larger.
+/// subtracted: 0.3 pixels of the photograph or the scene, whichever pixels are larger.
 double off_limb_km(const FitScene& scene, const colour::Registration& registration);
 
 /// Standard error of a registration, in any direction [km].
 ///
 /// The error is 0.3 pixels for a Moon in the umbra, and 0.8 pixels if part of the Moon is outside the umbra, because a
-/// bright limb misleads registration. It is 0.2 pixels in both cases if the photograph was registered with the air that
-/// was found, at the scale of all the night's photographs. Two errors are added in quadrature: 2 (1 − correlation)
-/// pixels, for noise, and off_limb_km, because neither limb nor markings can be trusted if they disagree. Pixels are
-/// those of the photograph or the scene, whichever are larger.
+/// bright limb misleads registration. It is 0.2 pixels in both cases if the photograph was registered with the fitted
+/// air, at the scale of all the night's photographs. Two errors are added in quadrature: 2 (1 − correlation) pixels,
+/// for noise, and off_limb_km, because neither limb nor markings can be trusted if they disagree. Pixels are those of
+/// the photograph or the scene, whichever are larger.
 ///
-/// Given   in_its_air  whether the photograph was registered with the air that was found
-/// Source  errors measured on simulated photographs: 0.03 in the middle of the umbra, 0.2 to 0.45 near its edge, 0.8 at
-///         a correlation below 0.8, up to 1.1 beside a lit crescent; on a night of 18 JPEGs: 0.2 to 0.3 in the umbra
-///         and 0.3 to 2.4 outside, or, with the air that was found, 0.1 to 0.2 and 0.04 to 0.3
+/// Given   in_its_air  whether the photograph was registered with the fitted air
+/// Source  errors measured on simulated photographs [pixels]: 0.03 in the middle of the umbra, 0.2 to 0.45 near its
+///         edge, 0.8 at a correlation below 0.8, up to 1.1 beside a lit crescent; on a night of 18 JPEGs: 0.2 to 0.3 in
+///         the umbra and 0.3 to 2.4 outside, or, with the fitted air, 0.1 to 0.2 and 0.04 to 0.3
 double place_error_km(const FitScene& scene, const colour::Registration& registration,
                       bool in_its_air = false);
 

@@ -13,7 +13,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// The photographs of a night after they have been placed and binned.
+/// The photographs of a night after they have been registered and binned.
 struct Look {
   std::vector<Placed> placed;
   std::vector<Binned> binned;
@@ -22,10 +22,10 @@ struct Look {
 /// Goodness of fit and misfits for the air with the least χ² on a coarse grid.
 struct CoarseFit {
   GoodnessOfFit goodness{std::numeric_limits<double>::infinity()};
-  std::vector<Misfit> misfits{};  ///< for that air
+  std::vector<Misfit> misfits{};  ///< misfits for the air with the least χ²
 };
 
-/// Computes the light for a night's photographs, in rows as NightRows orders them.
+/// Computes the light for a night's photographs, with rows in the order of NightRows.
 FittedLight light_of(const FitRequest& request, std::span<const Binned> binned, const Clock& clock,
                      FittedAirs airs, const algebra::Progress& progress,
                      const std::optional<AirRange>& range = {}) {
@@ -75,7 +75,7 @@ CoarseFit coarse_fit(const Stage& stage, std::span<const Binned> binned, const C
 /// Returned  whether a photograph was left out
 bool leave_out_worst(std::span<const Reading> readings, const CoarseFit& fit, Look& look) {
   constexpr double well = 0.8, stop = std::numbers::ln2, doubtful_stops = 1, any_stops = 3;
-  // judged by the channel that differs least, because a misplaced photograph differs in all channels
+  // judge each photograph by the channel that differs least, because a misplaced photograph differs in all channels
   std::map<std::size_t, double> off;
   for (const auto& misfit : fit.misfits) {
     const auto [known, first] = off.try_emplace(misfit.photograph, misfit.mean);
@@ -111,7 +111,7 @@ void require_any(const FitRequest& request, std::span<const Placed> placed) {
       fmt::format("{}: {}", request.photographs.front().file, placed.front().left_out));
 }
 
-/// Places and bins photographs with a given clock correction, and leaves out those that would mislead the fit.
+/// Registers and bins photographs with a given clock correction, and leaves out those that would mislead the fit.
 ///
 /// Given  fit  receives the coarse fit to the remaining photographs, or nothing if fewer than three remain
 Look look_at(const Stage& stage, std::span<const Reading> readings, const Clock& clock,
@@ -131,7 +131,7 @@ Look look_at(const Stage& stage, std::span<const Reading> readings, const Clock&
   return look;
 }
 
-/// Improves the clock correction by comparing light, without placing the photographs again.
+/// Improves the clock correction by comparing light, without registering the photographs again.
 ///
 /// Given  fit  coarse fit with the given clock, if known
 Clock told_by_light(const Stage& stage, std::span<const Binned> binned, Clock clock,
@@ -148,10 +148,10 @@ Clock told_by_light(const Stage& stage, std::span<const Binned> binned, Clock cl
   return clock;
 }
 
-/// Whether the fitted cloud is a factor on the chance of cloud, whose logarithm is fitted, and not a deck's cover.
+/// Whether the fitted unknown of cloud is a factor on the chance of cloud, which is fitted as a logarithm.
 bool cloud_is_a_chance(const AirFit& fit) { return unknowns_of(fit.unknowns)[1].logarithmic; }
 
-/// Relative change in cloud with which the derivative of light is computed.
+/// Relative change in cloud that is used to compute the derivative of light.
 constexpr double more_cloud = 0.1;
 
 /// Values of the unknowns for air that has more cloud than the best air but is otherwise the same.
@@ -162,7 +162,7 @@ AirNumbers clouded_numbers(const AirFit& fit) {
   return numbers;
 }
 
-/// Relative change in aerosol used for the derivative of light.
+/// Relative change in aerosol that is used to compute the derivative of light.
 constexpr double more_aerosol = 0.1;
 
 bool is_curved(const Night& night) {
@@ -185,7 +185,7 @@ Night first_look(FitRequest request, const algebra::Progress& progress) {
   auto clock = scanned_clock(stage, readings);
   std::optional<CoarseFit> fit;
   auto look = look_at(stage, readings, clock, fit);
-  // a shadow in the wrong place shifts the registration by a tenth as much, so photographs are placed again
+  // a misplaced shadow shifts the registration by a tenth of its error, so photographs are registered again
   constexpr int most_turns = 3;
   constexpr double near_s = 15;
   for (int turn = 0; clock.error_s > 0 && turn < most_turns; ++turn) {
@@ -238,7 +238,7 @@ Night looked_at_again(Night night, Again why, const AirFit& fit, const algebra::
 }
 
 DataSet data_of(const Night& night) {
-  constexpr double of_edited = 9;  // errors are three times a camera's
+  constexpr double of_edited = 9;  // factor on variances: errors are three times a camera's
   return {night.light,
           [&compared = night.compared](const algebra::Grid<double>& light) {
             return compared.goodness(light);

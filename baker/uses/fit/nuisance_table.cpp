@@ -19,11 +19,11 @@ double logarithmic_mean(double a, double b) {
   return std::abs(ratio) < 1e-4 ? std::sqrt(a * b) : b * ratio / std::log1p(ratio);
 }
 
-/// Derivatives of a channel's light, relative to the mean of its expected and its measured light.
+/// Derivatives of the light in a channel, divided by the mean of its expected and its measured light.
 struct Growth {
   std::array<double, 3>
-      by_channel{};  ///< with respect to the share that the camera adds of each Rec.709 channel
-  glm::dvec3 by_gain{0};  ///< with respect to the logarithm of each of the camera's gains
+      by_channel{};  ///< derivatives with respect to the share of each Rec.709 channel mixed in
+  glm::dvec3 by_gain{0};  ///< derivatives with respect to the logarithm of each camera gain
 };
 
 std::array<double, 3> mixed(const std::array<double, 3>& light, const Mixing& mixing) {
@@ -69,7 +69,7 @@ Growth growth_of(const Binned& photograph, const NightErrors& night, const Night
   const auto brightest =
       static_cast<std::size_t>(std::ranges::max_element(written) - written.begin());
   const auto seen = photograph.light.values.row(b);
-  // the photograph's own light, scaled to the brightness expected in its brightest channel
+  // measured light, scaled so that the brightest channel has its expected brightness
   const double as_bright =
       seen[brightest] > 0 ? seen[k] / seen[brightest] * written[brightest] : written[k];
   const double least = least_of_brightest * written[brightest];
@@ -142,7 +142,7 @@ std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const Ni
       {"white balance", night, 2,
        [=](const Measurement& m) { return shared(m) ? errors(m).white_balance_error : 0; },
        red_or_blue},
-      // the redder a photograph, the more blue an automatic balance adds
+      // the redder a photograph, the more blue an automatic white balance adds
       {"automatic balance", night, 1,
        [=](const Measurement& m) { return shared(m) ? 0 : errors(m).white_balance_error; },
        [=](const Measurement& m, std::size_t) {
@@ -160,7 +160,7 @@ std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const Ni
          return by[m.channel] -
                 std::inner_product(by.begin(), by.end(), luminance_of_rec709.begin(), 0.);
        }},
-      // off-diagonal elements of the matrix, row by row
+      // off-diagonal elements of the colour matrix, row by row
       {"mixing", night, any_mixed ? 6UL : 0,
        [=](const Measurement& m) { return errors(m).mixing_error; },
        [=](const Measurement& m, std::size_t n) {
@@ -168,7 +168,7 @@ std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const Ni
        }},
       {"dark channels", night, any_mixed ? 3UL : 0,
        [=](const Measurement& m) { return errors(m).dark_error; }, of_brightest},
-      // with this prior, the error has the covariance of the cameras around the assumed one
+      // with this prior, the error has the covariance of the other cameras about the assumed camera
       {"filters", night, cameras,
        [=](const Measurement&) { return 1 / std::sqrt(static_cast<double>(cameras)); },
        [=](const Measurement& m, std::size_t n) {

@@ -26,12 +26,12 @@ inline constexpr std::array luminance_of_rec709{0.2126, 0.7152, 0.0722};
 /// Order of the rows in a grid (row, X Y Z) of light computed for the bins of a night's photographs.
 ///
 /// For each photograph in turn, there is a row for each of its bins at one moment, then at the next. If the clock may
-/// be wrong, there are three moments: a minute before the photograph's own, its own, and a minute after. Otherwise
-/// there is only its own.
+/// be wrong, there are three moments: a minute before the photograph's time, that time, and a minute after. Otherwise,
+/// there is only the photograph's time.
 struct NightRows {
   std::size_t moments = 1, bins = 0;
 
-  /// Row of a bin at the photograph's own moment.
+  /// Row of a bin at the time of the photograph itself.
   std::size_t own(std::size_t photograph, std::size_t bin) const {
     return at(photograph, moments / 2, bin);
   }
@@ -40,28 +40,28 @@ struct NightRows {
   }
 };
 
-/// Offsets from a photograph's moment for which light is computed [s]. They give the derivative of light with respect
-/// to the clock correction. The middle one is 0.
+/// Offsets from a photograph's time at which light is computed [s]. They give the derivative of light with respect to
+/// the clock correction. The middle one is 0.
 std::vector<double> clock_steps_s(double clock_error_s);
 
-/// What is known about a night's clock, camera and light before they are fitted. Errors are linearised around it.
+/// What is known about a night's clock, camera and light before the fit. Errors are linearised around these values.
 struct NightErrors {
   double clock_error_s = 0;   ///< standard error of the clock; 0 if times are exact
-  double clock_mean_s = 0;    ///< prior mean of the correction to the scenes' times
-  colour::ToneCurve curve{};  ///< curve undone before binning, if light was not linear
-  Mixing mixing = no_mixing;  ///< matrix that is expected for the camera
+  double clock_mean_s = 0;    ///< prior mean of the clock correction to the scenes' times
+  colour::ToneCurve curve{};  ///< tone curve undone before binning, if light was not linear
+  Mixing mixing = no_mixing;  ///< colour matrix that is expected for the camera
   algebra::Grid<double>
-      expected{};  ///< light for the best air, in NightRows; if empty, usual air is used
-  algebra::Grid<double> clouded{};  ///< light for that air with more cloud; empty if not known
-  algebra::Grid<double> dusty{};    ///< light for that air with more aerosol; empty if not known
-  double dusty_by = 0;              ///< ln(aerosol in `dusty` / in `expected`)
-  double clouded_by = 0;  ///< ln(chance of cloud in `clouded` / in `expected`); 0 for a deck
+      expected{};  ///< light for the best air, in rows of NightRows; if empty, the assumed air is used
+  algebra::Grid<double> clouded{};  ///< light for the best air with more cloud; empty if unknown
+  algebra::Grid<double> dusty{};    ///< light for the best air with more aerosol; empty if unknown
+  double dusty_by = 0;              ///< ln(aerosol in `dusty` / aerosol in `expected`)
+  double clouded_by = 0;  ///< ln(cloud chance in `clouded` / that in `expected`); 0 for a deck
 };
 
-/// Row order for the computed light of a night's photographs.
+/// Order of rows for the computed light of a night's photographs.
 NightRows rows_of(std::span<const Binned> photographs, const NightErrors& night);
 
-/// Whether the colour matrix of the camera is uncertain.
+/// Whether the camera's colour matrix is uncertain.
 bool is_mixed(std::span<const Binned> photographs);
 
 /// A measurement: the logarithm of light in one bin and channel of a photograph.
@@ -80,34 +80,34 @@ struct Nuisance {
   std::string_view name;
   SharedBy shared_by;
   std::size_t count;  ///< number of parameters per night or per photograph
-  /// Prior standard deviation of the parameters, as they affect a measurement; 0 if they do not affect it.
+  /// Prior standard deviation of the parameters for a given measurement; 0 if they do not affect the measurement.
   std::function<double(const Measurement&)> prior;
   /// Derivative of a measurement's logarithm with respect to one of the parameters.
   std::function<double(const Measurement&, std::size_t parameter)> derivative;
 };
 
-/// Table of the nuisances of a night. The night shares exposure, white balance, tone curve, the camera's matrix,
-/// saturation and filters, and weather along the limb. Each photograph has its own shutter, white balance, sky, place
-/// and glow.
+/// Table of the nuisance parameters of a night. All photographs share the errors of exposure, white balance, tone
+/// curve, saturation, colour matrix and filters, and of weather along the limb. Each photograph has its own errors of
+/// shutter, white balance, sky, place and glow.
 ///
 /// Given  photographs, night  must outlive the table
 std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const NightErrors& night);
 
 /// Design matrix for a table of nuisances.
 struct Design {
-  algebra::Grid<double> matrix;                   ///< (measurement, parameter): derivative × prior
+  algebra::Grid<double> matrix;                   ///< derivative × prior: (measurement, parameter)
   std::map<std::string_view, std::size_t> first;  ///< first column of each nuisance
-  std::size_t first_own = 0;  ///< first column of the photographs' own parameters
+  std::size_t first_own = 0;  ///< first column of the parameters of single photographs
 };
 
-/// Design matrix that results from a table of nuisances.
+/// Computes the design matrix for a table of nuisances.
 ///
-/// Given  table  with the night's nuisances first, then those of single photographs
+/// Given  table  with the nuisances that the night shares first, then those of single photographs
 Design design_of(std::span<const Nuisance> table, std::span<const Measurement> measurements,
                  std::size_t photographs);
 
-/// A bin's light as a camera with this matrix writes it, in linear Rec.709. Each channel is raised to at least `least`
-/// times the brightest one.
+/// A bin's light as a camera with the given colour matrix writes it, in linear Rec.709. Each channel is raised to at
+/// least `least` times the brightest one.
 std::array<double, 3> as_written(std::span<const double> xyz,
                                  const std::optional<CameraColours>& colours, const Mixing& mixing,
                                  double least);

@@ -22,14 +22,14 @@ Eigen::Map<const Matrix> matrix(const Grid<double>& grid) {
 
 auto lower(const Grid<double>& grid) { return matrix(grid).triangularView<Eigen::Lower>(); }
 
-/// Cholesky factor L of a matrix L Lᵀ, in the lower triangle of the result. What is above the diagonal has no meaning.
+/// Cholesky factor L of a matrix L Lᵀ, in the lower triangle of the result. The rest of the result has no meaning.
 Grid<double> cholesky(Grid<double> grid) {
   Eigen::Map<Matrix> whole(grid.values().data(), matrix(grid).rows(), matrix(grid).cols());
   const Eigen::LLT<Eigen::Ref<Matrix>> in_place(whole);
   return grid;
 }
 
-/// Multiplies each column by K⁻¹, where the blocks of `noise` are the Cholesky factor K.
+/// Multiplies each column by K⁻¹, where K is the Cholesky factor whose diagonal blocks are `noise`.
 template <class Columns>
 void whiten(std::span<const Grid<double>> noise, Columns columns) {
   Eigen::Index from = 0;

@@ -9,7 +9,7 @@
 namespace coppermoon::uses {
 
 /// Linear model whose nuisance parameters are marginalised. Residuals r depend on parameters u (such as the error of an
-/// exposure, a colour, or a tone curve) through a design matrix A. Their noise e has covariance D:
+/// exposure, a colour, or a tone curve) through a design matrix A. The noise e of the residuals has covariance D:
 ///
 ///     r = A u + e        u ~ N(0, 1), e ~ N(0, D)        C = D + A Aᵀ
 ///
@@ -48,13 +48,13 @@ class Nuisances {
   double error_of_mean(std::span<const double> weights) const;
 
  private:
-  std::vector<algebra::Grid<double>> noise_;  // blocks of K, lower triangles
-  algebra::Grid<double> design_;              // A
-  algebra::Grid<double> whitened_design_;     // K⁻¹ A
-  algebra::Grid<double> factor_;              // L, lower triangle
+  std::vector<algebra::Grid<double>> noise_;  // blocks of K, the Cholesky factor of D
+  algebra::Grid<double> design_;              // the design matrix A
+  algebra::Grid<double> whitened_design_;     // the whitened design matrix K⁻¹ A
+  algebra::Grid<double> factor_;              // the Cholesky factor L of M
 };
 
-/// Product aᵀ C⁻¹ b of two whitened vectors of residuals.
+/// Product aᵀ C⁻¹ b of two vectors of residuals, which are given in whitened form.
 double product(const Nuisances::Whitened& a, const Nuisances::Whitened& b);
 
 }  // namespace coppermoon::uses

@@ -9,7 +9,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// ln(light in the expected air / light in another air) by bin and channel: (photograph × bins + bin, channel).
+/// Grid (photograph × bins + bin, channel) of ln(light in the expected air / light in another air).
 algebra::Grid<double> dimming(std::span<const Binned> photographs, const NightErrors& night,
                               const NightRows& rows, const algebra::Grid<double>& other) {
   const double least = is_mixed(photographs) ? least_of_brightest : 0;
@@ -26,9 +26,9 @@ algebra::Grid<double> dimming(std::span<const Binned> photographs, const NightEr
   return all;
 }
 
-/// How much less cloud brightens each bin and channel, relative to red light in the umbra on average: a grid
-/// (photograph × bins + bin, channel). It is multiplied by weather_over_usual if cloud is given by chance. The grid is
-/// empty if the effect of cloud is not known.
+/// Grid (photograph × bins + bin, channel) of how much cloud dims light, relative to the mean dimming of red light in
+/// the umbra. If cloud is fitted as a chance, the values are multiplied by weather_over_usual. The grid is empty if the
+/// effect of cloud is not known.
 algebra::Grid<double> dimming_by_cloud(std::span<const Binned> photographs,
                                        const NightErrors& night, const NightRows& rows) {
   constexpr double least_distance_km = 1000, most_distance_km = 4000;

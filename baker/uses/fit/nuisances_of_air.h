@@ -8,15 +8,15 @@
 
 namespace coppermoon::uses {
 
-/// Shares of the limb in each photograph's bins. Empty if weather is not an error of any photograph.
+/// Shares of light from each part of the limb, in each photograph's bins. Empty if no photograph has a weather error.
 using Limbs = std::vector<algebra::Grid<double>>;
 Limbs limbs_of(std::span<const Binned> photographs);
 
-/// The nuisance "aerosol", with a parameter for each part of the limb: the month's aerosol differs from place to place.
+/// The nuisance "aerosol", with a parameter for each part of the limb, because a month's aerosol varies along the limb.
 Nuisance aerosol_of(std::span<const Binned> photographs, const NightErrors& night,
                     const NightRows& rows, const Limbs& limbs);
 
-/// The nuisance "weather", with a parameter for each part of the limb, change in time, and kind of weather.
+/// The nuisance "weather", with parameters for each part of the limb, each change in time, and each kind of weather.
 Nuisance weather_of(std::span<const Binned> photographs, const NightErrors& night,
                     const NightRows& rows, const Limbs& limbs);
 

@@ -8,7 +8,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Correlation from which the Moon counts as recognised.
+/// Correlation at and above which the Moon counts as recognised.
 constexpr double well = 0.8;
 
 /// Whether two image scales are close enough to come from the same lens.
@@ -22,7 +22,7 @@ double px_per_scale(const Reading& reading, const FitScene& scene) {
   return reading.moon.shrunk / scene.pixel_rad;
 }
 
-/// Registers one photograph in the scene at its corrected time.
+/// Registers one photograph with the scene at its corrected time.
 ///
 /// Given  px_per_rad  scale of the whole picture, if known
 Placed placed_one(const Stage& stage, const Reading& reading, std::size_t index, double clock_s,
@@ -45,7 +45,7 @@ Placed placed_one(const Stage& stage, const Reading& reading, std::size_t index,
   }
 }
 
-/// Scale on which photographs of this one's size agree best, by the sum of correlations; 0 if none was registered.
+/// Scale with the greatest sum of correlations among photographs of the same size; 0 if none was registered.
 double agreed_px_per_rad(std::span<const Reading> readings, std::span<const Placed> all,
                          std::size_t index) {
   const auto counts = [&](std::size_t i) {
@@ -65,7 +65,7 @@ double agreed_px_per_rad(std::span<const Reading> readings, std::span<const Plac
   return agreed;
 }
 
-/// Indices of the placed photographs. Those registered at the scale of the others come last.
+/// Indices of the registered photographs. Those registered at the scale of other photographs come last.
 std::vector<std::size_t> order_of(std::span<const Placed> all) {
   std::vector<std::size_t> order;
   for (const bool late : {false, true})
@@ -74,7 +74,7 @@ std::vector<std::size_t> order_of(std::span<const Placed> all) {
   return order;
 }
 
-/// Accepts a photograph that was registered again at the scale of the others, unless it then looks less like the Moon.
+/// Accepts a photograph that was registered again at the scale of the others, unless it now looks less like the Moon.
 Placed in_scale(Placed found, const Placed& before, const Reading& reading) {
   constexpr double as_well = 0.9;
   const double alike = before.left_out.empty() ? before.registration.correlation : 0,
@@ -126,11 +126,11 @@ std::vector<Placed> placed_again(const Stage& stage, std::span<const Reading> re
       const auto& before = all[i].registration;
       if (again.correlation < before.correlation - less_alike ||
           !are_turned_alike(again.render_to_photo, before.render_to_photo, most_degrees))
-        continue;  // now worse, or turned to the shadow of a wrong air
+        continue;  // now worse, or turned to match the shadow in a wrong air
       all[i].registration = again;
       scene.glow = glow_of(scene);
       all[i].scene = std::make_shared<const FitScene>(std::move(scene));
-    } catch (const algebra::Error&) {  // keep the registration made with the usual air
+    } catch (const algebra::Error&) {  // keep the registration with the assumed air
     }
   }
   return all;

@@ -10,26 +10,26 @@
 
 namespace coppermoon::uses {
 
-/// A photograph, the scene at its moment, and how the scene is registered in it.
+/// The scene at a photograph's moment, and how the scene is registered in the photograph.
 struct Placed {
-  std::string left_out{};  ///< why it was not registered, in one line; empty if it was
+  std::string left_out{};  ///< one-line reason why the photograph is not registered, or empty
   std::shared_ptr<const FitScene> scene{};
   colour::Registration registration{};
   double px_per_rad = 0;         ///< scale of the whole picture
-  bool in_others_scale = false;  ///< whether it was registered at the scale of others
-  bool in_its_air = false;       ///< whether it was registered with the best air
+  bool in_others_scale = false;  ///< whether registered at the scale of other photographs
+  bool in_its_air = false;       ///< whether registered with the best-fitting air
 };
 
-/// What is needed to place the photographs from one camera and eclipse.
+/// What is needed to register the photographs from one camera and eclipse.
 struct Stage {
   const FitRequest& request;
   const FitGroundwork& groundwork;
   algebra::Progress alive{};  ///< called before each photograph; may throw to cancel
 };
 
-/// Registers photographs in scenes at their times plus a clock correction. Photographs of the same size in pixels
-/// should have the same scale. One that fails to register, or whose scale differs from that of most, is registered
-/// again at the scale of most. It is left out if it then looks less like the Moon.
+/// Registers each photograph with the scene at its time plus a clock correction. Photographs of the same size in pixels
+/// should have the same scale. If a photograph fails to register, or its scale differs from that of most others, it is
+/// registered again at the scale of most. It is left out if it then looks less like the Moon.
 ///
 /// Given     readings  one for each photograph of the request
 ///           which     indices of the photographs to register; all others are left out
@@ -41,20 +41,20 @@ std::vector<Placed> placed(const Stage& stage, std::span<const Reading> readings
 /// Registers photographs again, with the Moon computed for a different air. A photograph that then looks less like the
 /// Moon keeps its earlier registration.
 ///
-/// Given  stage  with the new air
+/// Given  stage  request and groundwork for the new air
 std::vector<Placed> placed_again(const Stage& stage, std::span<const Reading> readings,
                                  std::vector<Placed> all);
 
-/// Leaves out photographs whose limb and markings are more than 50 km apart, as long as three others remain.
+/// Leaves out photographs whose limb and markings disagree by more than 50 km in place, as long as three others remain.
 void leave_out_far(std::span<const Reading> readings, std::span<Placed> placed);
 
-/// Bins the light of the placed photographs. Those registered at the scale of the others come last.
+/// Bins the light of the registered photographs. Those registered at the scale of other photographs come last.
 ///
-/// Given  curve  tone curve to undo for photographs whose tone curve is their camera's own
+/// Given  curve  tone curve to undo in photographs that have a camera's own tone curve
 std::vector<Binned> binned(std::span<const Reading> readings, std::span<const Placed> placed,
                            const colour::ToneCurve& curve);
 
-/// Whether two pictures are mirrored alike, and turned by angles that differ by less than 30 degrees or another limit.
+/// Whether two pictures agree in being mirrored or not, and their rotations differ by less than `within_degrees`.
 bool are_turned_alike(const colour::Similarity& one, const colour::Similarity& other,
                       double within_degrees = 30);
 

@@ -30,7 +30,7 @@ std::vector<double> finer(const std::vector<double>& axis) {
 
 /// Interpolates values along one axis of a grid to a refined axis, by cubics through the four nearest points.
 ///
-/// Given  before  number of points of the grid spanned by the axes before this one
+/// Given  before  product of the numbers of points on all axes before this one
 std::vector<double> finer_along(const std::vector<double>& axis, std::size_t before,
                                 const std::vector<double>& values) {
   const auto places = finer(axis);
@@ -112,7 +112,7 @@ Posterior posterior(const Axes& axes, const std::vector<double>& chi_squared) {
   const auto covariance = [&](std::size_t a, std::size_t b) {
     return moments[a][b] / sum - mean[a] * mean[b] / (sum * sum);
   };
-  constexpr double one_sigma = 0.158655;  // part of a normal distribution below −σ
+  constexpr double one_sigma = 0.158655;  // share of a normal distribution below −σ
   for (std::size_t a = 0; a < 3; ++a) {
     result.estimates[a] = {quantile(axes[a], density[a], 0.5),
                            quantile(axes[a], density[a], one_sigma),

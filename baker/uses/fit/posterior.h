@@ -6,7 +6,7 @@
 
 namespace coppermoon::uses {
 
-/// Axes of a grid over three unknowns: increasing values for each.
+/// Axes of a grid over three unknowns. Each axis has increasing values.
 using Axes = std::array<std::vector<double>, 3>;
 
 /// Marginal posterior of one unknown.
@@ -26,7 +26,7 @@ struct Posterior {
 ///
 ///     p ∝ exp(−χ²/2)
 ///
-/// Given     axes         two or more points on each
+/// Given     axes         two or more points on each axis
 ///           chi_squared  χ² at each point, the last axis running fastest
 /// Accuracy  medians and limits: a tenth of a grid step if steps are shorter than half a standard deviation
 Posterior posterior(const Axes& axes, const std::vector<double>& chi_squared);

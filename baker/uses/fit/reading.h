@@ -10,21 +10,21 @@
 
 namespace coppermoon::uses {
 
-/// What was read from a photograph's file, before anything is computed for its moment.
+/// What was read from a photograph's file, before anything is computed for the moment of the photograph.
 struct Reading {
-  std::string left_out{};  ///< why no Moon was read, in one line; empty if one was found
+  std::string left_out{};  ///< one-line reason why the photograph cannot be used, or empty
   MoonPart moon{};
   std::array<std::size_t, 2> extent{};     ///< width and height of the whole picture [pixels]
-  bool curved = false, edited = false;     ///< as is_curved and is_edited say
-  std::optional<ClippedAt> clipped_at{};   ///< value in the file that counts as 1, if not 1
-  std::optional<CameraColours> colours{};  ///< of the camera, if it has its own tone curve
-  PhotometricErrors errors{};              ///< without place_error_km
+  bool curved = false, edited = false;     ///< results of is_curved and is_edited
+  std::optional<ClippedAt> clipped_at{};   ///< value in the file that counts as clipped, if not 1
+  std::optional<CameraColours> colours{};  ///< camera's colours, if it has its own tone curve
+  PhotometricErrors errors{};              ///< all errors except place_error_km
 };
 
-/// Whether a program may have changed the numbers that its camera wrote (editor_of), and nothing is told about them.
+/// Whether a program may have changed the values that the camera wrote (see editor_of) and the request gives no coding.
 bool is_edited(const EclipsePhotograph& photograph);
 
-/// Whether a photograph's tone curve is fitted: its camera's own, or one that a program changed.
+/// Whether a photograph's tone curve is fitted, because it is the camera's own or a program has changed it.
 bool is_curved(const EclipsePhotograph& photograph);
 
 /// Reads a photograph and finds the Moon in it.

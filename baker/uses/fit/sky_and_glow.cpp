@@ -9,7 +9,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Standard deviation, estimated from the median absolute deviation, on which outliers have little effect.
+/// Robust standard deviation, estimated from the median absolute deviation, so that outliers have little effect.
 double spread_of(AroundTheDisc values) {
   constexpr double of_normal = 1.4826;
   const double middle = median_of(values);

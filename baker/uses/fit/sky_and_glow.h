@@ -8,7 +8,7 @@
 
 namespace coppermoon::uses {
 
-/// Side of a scene's picture, to which photographs are resampled [pixels], and the ratio of the disc's diameter to it.
+/// Side of a scene's picture, to which photographs are resampled [pixels], and ratio of the disc's diameter to it.
 inline constexpr std::size_t fit_side_px = 320;
 inline constexpr double fit_disc_share = 0.8;
 
@@ -18,7 +18,6 @@ using AroundTheDisc = std::array<double, 12>;
 /// Mean values of a picture in the sectors around the disc.
 AroundTheDisc around_the_disc(const algebra::Grid<float>& picture);
 
-/// Median of the sectors' values.
 double median_of(AroundTheDisc around);
 
 /// A value and its standard error.
@@ -26,7 +25,7 @@ struct Uncertain {
   double value = 0, error = 0;
 };
 
-/// Light beside the disc. It is the sum of uniform light from the sky and the computed glow times a factor.
+/// Light beside the disc: the sum of uniform light from the sky and the computed glow times a factor, which is `glow`.
 struct SkyAndGlow {
   Uncertain sky, glow;
 };

@@ -8,30 +8,30 @@
 
 namespace coppermoon::uses {
 
-/// The kind of the three numbers by which a fit describes aerosol, cloud and ozone.
+/// Kind of the three numbers with which a fit describes aerosol, cloud and ozone.
 enum class Unknowns {
-  factors,  ///< factors on the month's stratospheric aerosol, chance of cloud, and ozone
+  factors,  ///< factors on the month's mean stratospheric aerosol, chance of cloud, and ozone
   amounts  ///< dust [1/m], share of the limb under a deck of cloud (replaces the chance of cloud), ozone [DU]
 };
 
-/// One unknown: its name as a parameter of the air, and its prior between two limits. The prior is uniform, or normal on
-/// the posterior's axis around the month's air, which differs from the mean of its month.
+/// One unknown of the air, and its prior between two limits. The prior is uniform, or a normal distribution on the
+/// posterior's axis about the month's mean air, from which the air of one night differs.
 struct Unknown {
-  std::string_view parameter;  ///< "stratospheric-factor"
-  std::string_view key;        ///< in JSON and Python: "stratospheric_factor"
-  std::string_view title;      ///< "stratospheric aerosol"
-  std::string_view unit;       ///< empty for a pure number
+  std::string_view parameter;  ///< option name, such as "stratospheric-factor"
+  std::string_view key;        ///< key in JSON and Python, such as "stratospheric_factor"
+  std::string_view title;      ///< title, such as "stratospheric aerosol"
+  std::string_view unit;       ///< unit; empty for a pure number
   double least, most;
-  bool logarithmic;  ///< whether the posterior's axis is the logarithm
+  bool logarithmic;  ///< whether the posterior's axis is logarithmic
   double
-      deviation;  ///< standard deviation of a normal prior around 1, on the posterior's axis; 0 if it is uniform
+      deviation;  ///< standard deviation of a normal prior around 1, on the posterior's axis; 0 for a uniform prior
 
-  /// Convert a value to its place on a posterior's axis, and back. The place is the value's logarithm if the prior is
+  /// Convert a value to its place on the posterior's axis, and back. The place is the value's logarithm if the axis is
   /// logarithmic, else the value itself.
   double on_axis(double value) const;
   double from_axis(double place) const;
 
-  /// Contribution of a normal prior to χ²; 0 if it is uniform.
+  /// Contribution of the prior to χ²; 0 if the prior is uniform.
   double chi_squared_of_prior(double place) const;
 };
 
@@ -50,10 +50,10 @@ using AirRange = std::array<std::array<double, 2>, 3>;
 /// Limits of the priors of all three unknowns.
 AirRange whole_range(Unknowns unknowns);
 
-/// Kind of unknowns that suits an air: factors if it has a chance of cloud and a month's aerosol, else amounts.
+/// Kind of unknowns that suits an air: factors if the air is a month's mean without a deck of cloud, else amounts.
 Unknowns usual_unknowns(const Air& air);
 
-/// Air with all fitted factors set to 1, so that fitted factors are the parameters' values themselves.
+/// Air with all factors set to 1, so that a fitted factor is the value of the air's own parameter.
 Air with_unit_factors(Air air);
 
 /// Air with the unknowns set to the given values.

@@ -155,7 +155,7 @@ bool depends_on_latitude(const ColumnChange& change) {
          (stratosphere && std::holds_alternative<DatedAerosol>(*stratosphere));
 }
 
-/// Whether any requested term varies with latitude.
+/// Whether any term of the requested air varies with latitude.
 bool depends_on_latitude(const Air& asked) {
   return asked.density == atmosphere::Density::seasonal ||
          asked.ozone_profile == OzoneProfile::climatology || depends_on_latitude(asked.column) ||
@@ -211,7 +211,7 @@ AirMoment moment_of(const almanac::SkyState& sky) {
   return {eclipse::shadow_axis(sky).sun_declination, almanac::year_of(sky.when)};
 }
 
-/// Danjon's scale for a night's eclipse. If a region is given, its air is taken to fill the whole limb.
+/// Danjon's scale for the eclipse of a given night. If a region is given, its air is assumed along the whole limb.
 DanjonScale scale_of(const Air& asked, const std::optional<AirRegion>& region,
                      const almanac::SkyState& night) {
   const auto greatest =
@@ -224,8 +224,8 @@ DanjonScale scale_of(const Air& asked, const std::optional<AirRegion>& region,
   return {air, sky};
 }
 
-/// Clearness that brings all the air, or the air of one region, to a step on Danjon's scale. Scales are cached, because
-/// all frames of a film need the same one.
+/// Clearness with which the whole air, or the air of one region, reaches a step on Danjon's scale. Scales are cached,
+/// because all frames of a film need the same scale.
 double clearness_found(const Air& asked, std::optional<AirRegion> region, int step,
                        const almanac::SkyState& sky) {
   struct Found {

@@ -15,14 +15,14 @@ namespace coppermoon::uses {
 struct DatedAerosol {
   bool operator==(const DatedAerosol&) const = default;
 };
-/// Stratospheric aerosol: an amount by name, an optical depth at 550 nm, or the amount recorded for the month.
+/// Stratospheric aerosol: a named amount, an optical depth at 550 nm, or the amount recorded for the month.
 using Stratosphere = std::variant<atmosphere::StratosphericAerosol,
                                   double /* optical depth, 0 to 2 */, DatedAerosol>;
 
 /// Height profile of ozone: the US Standard Atmosphere 1976, or a climatology by latitude and month.
 enum class OzoneProfile { us_1976, climatology };
 
-/// Changes to a column of air, which may vary along the limb. Fields without a value leave the atmosphere unchanged.
+/// Changes to a column of air, which may vary along the limb. Fields without a value change nothing.
 struct ColumnChange {
   /// Step on Danjon's scale, 0 to 4, which sets cloud and aerosol. If the air has belts of latitude, both are scaled
   /// until the night's eclipse reaches this step (DanjonScale).
@@ -31,7 +31,7 @@ struct ColumnChange {
       tropospheric_optical_depth{}, cloud_top_km{}, cloud_cover{};
   std::optional<Stratosphere> stratosphere{};
   std::optional<double> tropopause_km{};
-  /// Factors on the usual amounts, 0 to 100. If a cloud deck is requested, cloud chance and cirrus default to 0.
+  /// Factors, 0 to 100, on the usual amounts. If a cloud deck is requested, cloud chance and cirrus default to 0.
   std::optional<double> cloud_chance{}, cirrus{}, free_troposphere{}, stratospheric_factor{},
       water_vapour{};
   std::optional<double> ozone_factor{};  ///< factor on the column of ozone, 0 to 10
@@ -39,7 +39,7 @@ struct ColumnChange {
   bool operator==(const ColumnChange&) const = default;
 };
 
-/// Part of the limb with air of its own, between two latitudes or two position angles [degrees].
+/// Part of the limb where the air differs, between two latitudes or two position angles [degrees].
 struct AirRegion {
   std::optional<double> from_latitude{}, to_latitude{}, from_position_angle{}, to_position_angle{};
   ColumnChange column{};
@@ -71,7 +71,7 @@ struct Air {
 /// Throws  Error
 void require_place(const AirRegion& region);
 
-/// The air at one moment, before its belts are scaled to Danjon's scale.
+/// The air at one moment, before it is scaled to a step on Danjon's scale.
 ///
 /// Given   sun_declination  the Sun's declination at that moment, which gives the tilt of the Earth's pole
 ///         year             with a fractional part; determines the season and the recorded aerosol
@@ -82,7 +82,7 @@ atmosphere::Atmosphere atmosphere_of(const Air& air, algebra::Angle sun_declinat
 atmosphere::Atmosphere atmosphere_of(const Air& air, const almanac::SkyState& sky);
 
 /// Whether the air can be scaled so that the night's eclipse reaches the requested step on Danjon's scale. True if no
-/// step is requested or the air has no belts. If false, the clearest or the darkest air is used.
+/// step is requested or the air has no belts. If it cannot be, the clearest or the darkest air is used.
 bool reaches_danjon(const Air& asked, const almanac::SkyState& sky);
 
 }  // namespace coppermoon::uses

@@ -48,7 +48,7 @@ std::vector<Place> places_over(const eclipse::ShadowPlace& centre, double axis_d
   return places;
 }
 
-/// The eclipse nearest to a moment. If the Moon is not wholly inside the umbra, it is moved just inside.
+/// The eclipse nearest to a moment, at maximum. If the Moon is not wholly inside the umbra, it is moved just inside.
 class Totality {
  public:
   explicit Totality(const almanac::SkyState& near)
@@ -108,8 +108,8 @@ class Totality {
   double dimmer_ = 1;  ///< factor by which the distances of Sun and Moon dim the Moon
 };
 
-/// Clearness at a magnitude, interpolated with a polynomial through up to four known points around it. `bright` is the
-/// index of the first known point that is at least as bright.
+/// Clearness that gives the Moon a magnitude, interpolated with a polynomial through up to four known points around
+/// the magnitude. `bright` is the index of the first known point that is at least as bright.
 template <typename Known>
 double between(std::span<const Known> known, std::size_t bright, double magnitude) {
   const std::size_t first = bright > 1 ? bright - 2 : 0,

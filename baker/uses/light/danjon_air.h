@@ -29,14 +29,14 @@ inline constexpr double darkest_clearness = -2, brightest_clearness = 1,
 ///
 /// If the eclipse is not total, the Moon is placed just inside the umbra.
 ///
-/// Accuracy  0.15 mag, because the Moon is taken as uniform, and its light is computed in ten bands at a few places
-/// Source    H. C. Vital's correlation of observers' estimates (REA Brazil, 2004 to 2015); what to clear is our choice
+/// Accuracy  0.15 mag, because the Moon is treated as uniform, and its light is computed in ten bands at a few places
+/// Source    H. C. Vital's correlation of observers' estimates (REA Brazil, 2004 to 2015); clearness is our definition
 class DanjonScale {
  public:
-  /// Given  air  divided into belts of latitude, for the night of the eclipse
+  /// Given  air  the air on the night of the eclipse, divided into belts of latitude
   DanjonScale(const atmosphere::Atmosphere& air, const almanac::SkyState& sky);
 
-  /// Clearness for a step on the scale. Magnitudes are cached to speed up other steps, which does not change results.
+  /// Clearness for a step on Danjon's scale. Magnitudes are cached to speed up later calls, without changing results.
   ///
   /// Given     l  0 to 4
   /// Returned  −2 to 1; at either limit, the Moon may not reach the step's magnitude

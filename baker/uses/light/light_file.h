@@ -9,18 +9,18 @@
 
 namespace coppermoon::uses {
 
-/// Writes light and its plan, without direct light and this machine's timings. The file appears whole or not at all.
+/// Writes light and its plan, but not direct light or timings on this machine. The file appears whole or not at all.
 ///
 /// Given   key    recipe with everything that the light depends on
-/// Throws  Error  one line with the path, when the file cannot be written
+/// Throws  Error  when the file cannot be written; the message is one line with the path
 void write_light(const std::filesystem::path& path, const std::string& key, const Moonlight& light);
 
 /// Whether a file begins like one from write_light, even if it is damaged. An empty file counts too.
 ///
-/// Throws  Error  as for files::beginning_of
+/// Throws  Error  when files::beginning_of does
 bool is_light(const std::filesystem::path& path);
 
-/// Light read from a file, with its key.
+/// Light read from a file, and the key with which it was written.
 struct KeptLight {
   std::string key;
   Moonlight light;

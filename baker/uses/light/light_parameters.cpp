@@ -53,7 +53,7 @@ std::string text_of(const std::optional<Stratosphere>& stratosphere) {
                            std::get<atmosphere::StratosphericAerosol>(*stratosphere));
 }
 
-/// A term of the light that may be left out, and the member of Work that switches it on.
+/// A term that the computation of light may leave out, and the member of plan::Work that switches it on.
 struct Term {
   std::string_view name;
   bool plan::Work::*in;
@@ -93,12 +93,12 @@ double budget_of(const std::string& text) {
   return *budget;
 }
 
-/// Settings that select the method of Yapo & Cutler (2009), or photon tracing by any method. Without them, a plan does
-/// not use photons.
+/// Settings that select the method of Yapo & Cutler (2009) (as_the_paper), or any photon tracing (of_photons). Without
+/// them, a plan does not use photons.
 const request::Conditions as_the_paper{{"quality", {"paper"}}},
     of_photons{{"solver", {"photons", "literal"}}, {"photons"}, {"quality", {"paper"}}};
 
-/// The tolerance that a quality stands for, as a relative error.
+/// The tolerance (a relative error) that a named quality stands for.
 double tolerance_named(const std::string& quality) {
   if (quality == "draft") return 0.05;
   return quality == "reference" ? 5e-4 : 0.01;
@@ -114,7 +114,7 @@ request::Parameter regions_of(std::vector<AirRegion>& regions) {
       "from-latitude=-90,to-latitude=0,dust-extinction=1e-5; or between from-position-angle "
       "and to-position-angle. May be given again: the first region that holds a place counts";
   made.many = true;
-  const auto one = std::make_shared<AirRegion>();  // kept alive by the parts, which refer to it
+  const auto one = std::make_shared<AirRegion>();  // kept alive by `parts`, which refers to it
   made.parts = {new Parameters, [one](Parameters* parts) { delete parts; }};
   describe(*made.parts, *one);
   made.read = [&regions] {

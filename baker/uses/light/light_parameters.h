@@ -33,12 +33,12 @@ struct Effort {
 };
 void describe(request::Parameters& is, Effort& effort);
 
-/// The requested tolerance and budget; if neither is given, the tolerance that the quality stands for.
+/// The requested tolerance and time budget. If neither is given, the tolerance is the one that the quality stands for.
 ///
 /// Throws  Error  when one of them cannot be understood, or both a tolerance and a quality are given
 plan::Wish wish_of(const Effort& effort);
 
-/// Parameters for the numbers of bands, rays, planes and so on, which the user may set instead of the plan.
+/// Parameters for the numbers of bands, rays, planes and so on. If the user sets one, the plan does not choose it.
 void describe_knobs(request::Parameters& is, plan::ByHand& knobs);
 
 /// Parameters for the solver and its photons, such as their number and the length of their steps.
@@ -63,7 +63,7 @@ std::string air_in_words(const request::Parameters& parameters);
 /// same Moon. The quality is kept, because it may imply other settings too.
 request::Recipe with_work(const request::Recipe& recipe, const plan::Work& work);
 
-/// Whether a setting is part of the planned work, or is used to plan it.
+/// Whether a setting is part of the planned work, or is used for planning it.
 bool is_planned(const request::Setting& setting);
 
 /// Recipe of all settings on which photons depend. Sums of photons with a different recipe are refused.

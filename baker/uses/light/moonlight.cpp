@@ -74,7 +74,7 @@ struct Rig {
   shadow::DirectLight direct_light() const { return {air, arrangement, wavelengths_nm}; }
 };
 
-/// Traces the requested shard of photons, adds sums from files, writes the sums if asked to, and estimates the light.
+/// Traces the requested shard of photons, adds sums from files, writes the sums if requested, and estimates the light.
 shadow::RefractedLight light_of_photons(const PhotonFiles& files, const Rig& rig,
                                         shadow::PhotonSettings settings,
                                         const algebra::Progress& progress) {
@@ -111,7 +111,7 @@ bool leaves_scattered_light(const plan::Plan& plan) {
   return scattered != all.end() && scattered->size > plan.error / 20;
 }
 
-/// Relative error of luminance, measured on the disc. For photons it is at least two standard errors.
+/// Relative error of luminance on the disc, found by a check. For photons it is at least two standard errors.
 ///
 /// Given  twilight  scattered light that `light` includes; nullopt if it includes none
 double found_error(const ShadowedMoon& moon, const Moonlight& light,
@@ -155,7 +155,7 @@ shadow::RefractedLight planned_refracted_light(const LightRequest& request, cons
   auto limited = request;
   limited.solver = plan.work.solver;
   if (request.wish.budget_s && !request.photons) limited.photons = plan.work.photons;
-  // if photons are not requested, do not wait until the darkest sector has enough of them
+  // Unless photons are requested, tracing stops at this number, even if the darkest sector has too few of them.
   const double most = wants_photons(request) ? most_photons : std::max(1e6, 16 * plan.work.photons);
   const auto& distances = rig.axis_distances_m;
   const shadow::StoppingRule enough{
@@ -163,8 +163,8 @@ shadow::RefractedLight planned_refracted_light(const LightRequest& request, cons
   return photons_of(limited, rig, enough, most, progress);
 }
 
-/// Whether two arrangements agree. The Sun's distance may differ by up to 1 km, and depths by up to 1 m, because
-/// processors round differently.
+/// Whether two arrangements of Sun and planes agree. The Sun's distance may differ by up to 1 km, and the depths of
+/// planes by up to 1 m, because processors round differently.
 bool are_alike(const shadow::Arrangement& a, const shadow::Arrangement& b) {
   const auto alike = [](double x, double y) { return std::abs(x - y) < 1; };
   return a.limb_darkening == b.limb_darkening &&

@@ -42,15 +42,15 @@ struct LightRequest {
   std::optional<bool> limb_darkening{};  ///< if absent, on unless the atmosphere is "paper"
   ScatteredLight scattered_light = ScatteredLight::automatic;
   bool starlight = false;
-  /// `automatic` means the quickest solver, or photons by table if `photons` is given
+  /// `automatic` means the quickest solver, or the photon solver `table` if `photons` is given.
   Solver solver = Solver::automatic;
   plan::Wish wish{.tolerance = 0.01};
-  plan::ByHand by_hand{};           ///< settings made by the user; solver and photons are unused
-  std::optional<double> photons{};  ///< 1 to 1e12; if absent, as many as the tolerance needs
-  double step_km = 1;               ///< length of the steps along a literal photon's path
+  plan::ByHand by_hand{};           ///< the user's settings, except for solver and photons
+  std::optional<double> photons{};  ///< number, 1 to 1e12; if absent, as the tolerance needs
+  double step_km = 1;               ///< step along a photon's path in the solver `literal`
   double ring_km = 50;              ///< width of the rings that gather photons
   double smoothing_km = 0;  ///< standard deviation of the Gaussian that smooths photons, 0 to 2000
-  std::size_t seed = 1;     ///< of the random numbers for photons
+  std::size_t seed = 1;     ///< seed of the random numbers for photons
   PhotonFiles photon_files{};
 };
 
@@ -58,7 +58,7 @@ struct LightRequest {
 /// fitted to observed eclipses, whose light already includes scattered light.
 ScatteredLight scattered_light_of(const LightRequest& request);
 
-/// Whether the Sun is limb-darkened: as requested, by default except with the atmosphere "paper".
+/// Whether the Sun is limb-darkened, which is the default except with the atmosphere "paper".
 bool limb_darkening_of(const LightRequest& request);
 
 /// The Moon at one moment, in the shadow of the requested Earth and air.
@@ -67,15 +67,15 @@ ShadowedMoon shadowed_moon(const LightRequest& request, const almanac::SkyState&
 /// Wavelengths and places at which light is computed on each plane.
 struct LightGrid {
   std::span<const double> wavelengths_nm;
-  std::span<const double> axis_distances_m{};   ///< ignored by photons, which use rings
+  std::span<const double> axis_distances_m{};   ///< unused by photons, which are gathered in rings
   std::size_t around = shadow::sectors_around;  ///< number of sectors, unless light is symmetric
 };
 
 /// Refracted light, computed by the requested solver. Scattered light is included unless it is off (scattered_light_of)
-/// or left out, and starlight is included if requested. The numbers of rays and of the Sun's terms are chosen for a
-/// tolerance of 0.1 %, or for the requested tolerance if it is finer.
+/// or the request leaves it out. Starlight is included if requested. The numbers of rays and of terms for the Sun are
+/// chosen for a tolerance of 0.1 %, or for the requested tolerance if that is finer.
 ///
-/// Throws  Error  when photons are requested without a number of them
+/// Throws  Error  when photons are requested without their number
 shadow::RefractedLight refracted_light(const LightRequest& request,
                                        const atmosphere::Atmosphere& air,
                                        const shadow::Arrangement& arrangement,
@@ -88,13 +88,13 @@ struct Moonlight {
   std::optional<shadow::DirectLight> direct;
   shadow::LookupRange range;
   plan::Plan plan;
-  /// largest relative error of luminance on the disc: 1.2 times the largest at sample places; 0 if not determined
+  /// Largest relative error of luminance on the disc: 1.2 times the largest at sample places, or 0 if not determined.
   double error_found = 0;
 
-  /// Given  weights  (channel, band), for the bands of band_edges_nm
+  /// Look-up of the light in channels, computed with weights (channel, band) for the bands of band_edges_nm.
   shadow::Lookup in_channels(const shadow::ChannelWeights& weights) const;
 
-  /// Given  weights  (channel, wavelength), for the wavelengths of the plan
+  /// Look-up of the light in channels, computed with weights (channel, wavelength) for the plan's wavelengths.
   shadow::Lookup in_sums(const shadow::ChannelWeights& weights, const shadow::LookupRange& within,
                          shadow::LightPart part = shadow::LightPart::all) const;
 };
@@ -118,14 +118,14 @@ Moonlight unshadowed_light(const LightRequest& request, const almanac::SkyState&
 
 /// The plan that light_on_the_moon would follow, without computing any light.
 ///
-/// Throws  Error  as for light_on_the_moon
+/// Throws  Error  when light_on_the_moon would
 plan::Plan planned_light(const LightRequest& request, const almanac::SkyState& sky,
                          const Purpose& purpose = {});
 
 /// Whether the request asks for photons, either through its solver or by giving their number.
 bool wants_photons(const LightRequest& request);
 
-/// Skies along the Moon's path, at most three minutes apart. From one to the next, the path is straight within 0.1 km.
+/// Skies along the Moon's path, at most three minutes apart. Between two of them, the path is straight within 0.1 km.
 std::vector<almanac::SkyState> skies_between(const almanac::Instant& from,
                                              const almanac::Instant& to);
 

@@ -19,7 +19,7 @@ namespace coppermoon::uses {
 /// A band of astronomical photometry.
 struct PhotometricBand {
   std::string name;
-  double solar_magnitude;  ///< of the Sun at 1 au
+  double solar_magnitude;  ///< magnitude of the Sun at 1 au
 };
 
 /// Index of V among photometric_bands.
@@ -32,13 +32,13 @@ std::vector<PhotometricBand> photometric_bands();
 
 /// Numbers keyed by the names of their bands.
 ///
-/// Given  numbers  [band]; if empty, so is the result
+/// Given  numbers  one for each band; if empty, the result is empty too
 algebra::ByName<double> by_band(const std::vector<double>& numbers);
 
 /// Response of the photometric bands to irradiance, [band][wavelength band]. Each response has a peak of 1 and is
 /// multiplied by the width of the wavelength band [nm].
 ///
-/// Given  edges_nm  of the wavelength bands, 380 to 780
+/// Given  edges_nm  edges of the wavelength bands, from 380 to 780
 /// Omits  the part of R beyond 780 nm, which is 6 % of R
 /// Source Bessell (1990), PASP 102, 1181
 algebra::Grid<double> photometric_response(std::span<const double> edges_nm);
@@ -46,18 +46,18 @@ algebra::Grid<double> photometric_response(std::span<const double> edges_nm);
 /// Channels of a texture on which the Moon is measured: the photometric bands, and luminance.
 struct Photometer {
   std::vector<std::string> channels;
-  algebra::Grid<double> weights;  ///< [channel][band], for moonlight
-  std::vector<double> sunlight;   ///< [channel]: irradiance at 1 au
+  algebra::Grid<double> weights;  ///< weights for moonlight, [channel][band]
+  std::vector<double> sunlight;   ///< the Sun's irradiance at 1 au in each channel
 };
 
-/// Given  sightline  through the air above an observer, which dims the Moon; if absent, the Moon is seen from space
+/// Given  sightline  line of sight through the air, which dims the Moon; if absent, the Moon is seen from space
 Photometer photometer(const std::optional<atmosphere::Sightline>& sightline = {});
 
 /// Brightness of the whole disc.
 struct DiscBrightness {
-  std::vector<double> magnitudes;  ///< [band]; infinite if the disc is black
+  std::vector<double> magnitudes;  ///< one for each band; infinite if the disc is black
   double mean_luminance_cd_m2 = 0;
-  double illuminance_lx = 0;  ///< on a surface that faces the Moon
+  double illuminance_lx = 0;  ///< illuminance on a surface that faces the Moon
 };
 
 template <class Field>
@@ -74,7 +74,7 @@ void describe_light(Field&& is, const DiscBrightness& disc) {
      "illuminance on a surface that faces the Moon");
 }
 
-/// Describes the magnitude in each band under a key of its own. `where` is appended to each description.
+/// Describes the magnitude in each band under a separate key. `where` is appended to each description.
 ///
 /// Given  disc  nullptr if the numbers are not known
 template <class Field>

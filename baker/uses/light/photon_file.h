@@ -9,7 +9,7 @@ namespace coppermoon::uses {
 
 /// Writes sums of photons as one JSON document, with every digit of every number. The file appears whole or not at all.
 ///
-/// Throws  Error  one line with the path, when the file cannot be written
+/// Throws  Error  when the file cannot be written; the message is one line with the path
 void write_sums(const std::filesystem::path& path, const shadow::PhotonSums& sums);
 
 /// Reads sums of photons exactly as they were written, bit for bit.

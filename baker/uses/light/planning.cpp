@@ -84,7 +84,7 @@ shadow::Sectors sectors_of(const ShadowedMoon& moon, std::size_t around) {
   std::vector<shadow::Sectors> taken;
   for (const auto& place : centres(moon)) taken.push_back(sectors_of(place, around));
   const shadow::Sectors all{around};
-  shadow::Sectors widest{around, 0, 0};  // widest gap
+  shadow::Sectors widest{around, 0, 0};  // widest gap so far
   for (std::size_t first = 0; first < around; ++first) {
     const auto is_taken = [&](std::size_t i) {
       return std::ranges::any_of(taken,
@@ -165,8 +165,8 @@ double largest_change(const CoarseLight& all, const CoarseLight& without) {
   return worst;
 }
 
-/// Share of scattered light in all light where the disc is darkest. If an upper bound on the share is negligible, the
-/// bound is returned, and no scattered light is computed.
+/// Share of the total light that is scattered light, where the disc is darkest. If an upper bound on the share is
+/// negligible, the bound is returned, and no scattered light is computed.
 double scattered_share(const ShadowedMoon& moon, const CoarseLight& coarse,
                        std::span<const double> places_m) {
   constexpr double most = 1.2e-6, counts = 1e-5;
@@ -200,8 +200,8 @@ std::vector<double> scattered_at(std::span<const double> places_m,
   return most;
 }
 
-/// Adds axis distances where light is least smooth: between the umbra's edges for the polar and the equatorial radius,
-/// where direct light begins, and just inside the penumbra's edge, where it changes fastest.
+/// Adds axis distances where light is least smooth. Direct light begins between the umbra's edges for the Earth's polar
+/// and equatorial radius, and it changes fastest just inside the penumbra's edge.
 void add_edges_of_the_shadow(const ShadowedMoon& moon, const shadow::Arrangement& arrangement,
                              Range disc, std::vector<double>& places_m) {
   constexpr double a_node_m = 10e3, within_penumbra_m = 150e3;
@@ -223,7 +223,7 @@ void add_edges_of_the_shadow(const ShadowedMoon& moon, const shadow::Arrangement
   places_m.erase(std::unique(places_m.begin(), places_m.end()), places_m.end());
 }
 
-/// Safety factor on the size of a term, because coarse light underestimates it.
+/// Safety factor on the estimated effect of a term, because coarse light underestimates the effect.
 constexpr double margin = 2;
 
 }  // namespace
@@ -279,7 +279,7 @@ shadow::QuadratureSettings quadrature_for(const plan::Work& work, const Shadowed
                                           std::size_t around) {
   return {.rays = work.rays,
           .sun_terms = work.sun_terms,
-          .sectors = sectors_of(moon, around).widened(),  // cubics need neighbouring sectors
+          .sectors = sectors_of(moon, around).widened(),  // interpolation needs neighbours
           .place_error = work.place_error};
 }
 
@@ -305,7 +305,7 @@ plan::Scene scene_of(const ShadowedMoon& moon, const Purpose& purpose) {
     one_column.regions = false;
     const auto alike = tried(moon, air_for(one_column, moon), places);
     if (air_by_place) scene.without_regions = margin * largest_change(coarse, alike);
-    if (scene.ellipsoid) {  // compared in uniform air, with the same result but four times faster
+    if (scene.ellipsoid) {  // uniform air gives the same difference, four times faster
       auto sphere = one_column;
       sphere.ellipsoid = false;
       scene.without_ellipsoid =
@@ -349,8 +349,8 @@ double depth_between_planes(const ShadowedMoon& moon, int planes) {
   return std::midpoint(depths[depths.size() - 2], depths.back());
 }
 
-/// Settings for light against which errors are measured. The number of sectors has no divisor in common with a plan's,
-/// so that their middles do not coincide. With regions there are fewer sectors, because each takes more time.
+/// Settings for the light against which errors are measured. Its number of sectors has no divisor in common with a
+/// plan's, so that their middles do not coincide. With regions there are fewer sectors, because each takes more time.
 shadow::QuadratureSettings settings_of_check(const plan::Work& finer, const ShadowedMoon& moon) {
   const std::size_t around = moon.air.regions.empty() ? 29 : 13;
   auto settings = quadrature_for(finer, moon, around);
@@ -370,11 +370,11 @@ class ExactLight {
       : depth_m_(depth_m),
         settings_(settings_of_check(finer(work), moon)),
         weights_(at_wavelengths(luminance_weights(), finer(work).bands)) {
-    constexpr double off_nodes = 0.07;  // lunar radii; avoids places where light was computed
+    constexpr double off_nodes = 0.07;  // [lunar radii]; offset from places where light is known
     const auto disc = disc_of(moon);
     auto places =
         evenly({disc.from_m + off_nodes * lunar_radius_m, disc.to_m}, places_over(disc, 15));
-    // if the Moon does not reach the axis, its darkest place, where the error of direct light is largest
+    // If the Moon does not reach the axis, the Moon's darkest place is added, because direct light errs most there.
     if (disc.from_m > 0) places.insert(places.begin(), disc.from_m);
     const auto arrangement = arrangement_of(moon, {depth_m});
     add_edges_of_the_shadow(moon, arrangement, disc, places);

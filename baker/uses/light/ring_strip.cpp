@@ -27,7 +27,7 @@ using std::numbers::pi;
 constexpr std::size_t ring_columns = 1440, ring_rows = 256;
 constexpr int ring_bands = 40;
 
-/// Observer on the Moon who looks at the Earth. Vectors are on GCRS axes.
+/// Observer on the Moon who looks at the Earth. Vectors have GCRS axes.
 struct Lookout {
   almanac::SelenographicPoint place;
   glm::dvec3 position_m, zenith, celestial_pole;
@@ -71,15 +71,16 @@ void require_umbra(const Lookout& lookout, const atmosphere::Atmosphere& air,
       direct, in_degrees(lookout.place.latitude), in_degrees(lookout.place.longitude)));
 }
 
-/// Weights of wavelengths that convert radiance relative to the Sun's mean into picture_space [cd/m²], times `scale`.
+/// Weights of wavelengths that convert radiance, relative to the Sun's mean radiance, to picture_space [cd/m²] times
+/// `scale`.
 shadow::ChannelWeights sun_weights(double scale) {
   auto weights = white_ground_weights(colour::channel_weights(picture_space, band_edges_nm()));
   const double radii = almanac::astronomical_unit_m / photons::solar_radius_m;
-  for (double& weight : weights.values()) weight *= scale * radii * radii;  // from E/π to radiance
+  for (double& weight : weights.values()) weight *= scale * radii * radii;  // to the Sun's radiance
   return at_wavelengths(weights, ring_bands);
 }
 
-/// Inner and outer edge of the strip, as angles from the Earth's centre.
+/// Inner and outer edge of the ring's image, as angles from the Earth's centre.
 struct Angles {
   double inner_rad, outer_rad;
 
@@ -95,9 +96,9 @@ Angles angles_of(const shadow::LimbRing& ring) {
   return {std::asin(lowest / ring.distance_m()), std::asin(highest / ring.distance_m())};
 }
 
-/// Image of the ring.
+/// Image of the Earth's ring.
 ///
-/// Given  north_rad  position angle on the sky of the shadow frame's Y axis; its X axis points west
+/// Given  north_rad  position angle of the shadow frame's Y axis on the sky, where the X axis points west
 ///        weights    (channel, wavelength), for radiance relative to the Sun's mean
 texture::Image image_of(const shadow::LimbRing& ring, const Angles& angles, double north_rad,
                         const shadow::ChannelWeights& weights) {

@@ -10,11 +10,11 @@
 
 namespace coppermoon::uses {
 
-/// Size and orientation of the strip and of the Earth on the Moon's sky. Position angles are measured about the Earth's
-/// centre, from celestial north through east.
+/// Size and orientation of the ring's image and of the Earth in the Moon's sky. Position angles are measured about the
+/// Earth's centre, from celestial north through east.
 struct RingFigures {
-  almanac::SelenographicPoint place;  ///< of the observer on the Moon
-  algebra::Angle inner, outer;        ///< angles of the strip's edges from the Earth's centre
+  almanac::SelenographicPoint place;  ///< the observer's place on the Moon
+  algebra::Angle inner, outer;        ///< angles of the image's edges from the Earth's centre
   double earth_distance_km = 0;
   algebra::Angle earth_altitude, zenith, sun;  ///< `zenith` and `sun` are position angles
   double scale = 1;
@@ -39,15 +39,15 @@ void describe(Field&& is, const RingFigures& ring) {
 
 /// The Earth's ring of sunsets, unrolled, as seen from a place on the eclipsed Moon.
 struct RingStrip {
-  /// linear Rec.709 [cd/m²]. Columns are position angles on the sky about the Earth's centre, from celestial
-  /// north through east. Rows are evenly spaced in the angle from that centre, with the outer edge at the top.
+  /// Image in linear Rec.709 [cd/m²]. Columns are position angles about the Earth's centre, from celestial north
+  /// through east. Rows are evenly spaced in the angle from the Earth's centre, with the outer edge at the top.
   texture::Image light;
   RingFigures figures;
   texture::Attributes attributes;  ///< for a file's header
 };
 
 /// Given   request  only its air and its Sun are used
-///         on       place on the Moon; if absent, the point with the Earth at the zenith
+///         on       place on the Moon; if absent, the point where the Earth is at the zenith
 ///         scale    factor on all values, 1e-9 to 1e9
 /// Throws  Error    when no eclipse is under way, the Earth is below the place's horizon, direct sunlight
 ///                  reaches the place, or the air bends no light towards it

@@ -32,7 +32,7 @@ std::vector<double> distances_of(const ProfilePlaces& places, const ShadowCut& c
   return distances;
 }
 
-/// Standard errors, interpolated to the given axis distances; 0 beyond the last known one.
+/// Standard errors, interpolated to the given axis distances; 0 beyond the last known distance.
 algebra::Grid<double> errors_at(const shadow::RefractedLight& light, std::size_t sector,
                                 const std::vector<double>& distances_m) {
   algebra::Grid<double> there(distances_m.size(), light.wavelengths_nm.size());
@@ -94,7 +94,7 @@ ShadowProfile shadow_profile(const LightRequest& request, const ShadowCut& cut,
       }
     }
   }
-  for (double& value : profile.ratio.values()) value = std::max(value, 0.);  // cut noise below 0
+  for (double& value : profile.ratio.values()) value = std::max(value, 0.);  // cuts noise below 0
   return profile;
 }
 

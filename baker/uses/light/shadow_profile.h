@@ -24,7 +24,7 @@ ShadowCut shadow_at_the_moon(const LightRequest& request, const almanac::SkyStat
 struct ProfilePlaces {
   std::vector<double> wavelengths_nm{450, 550, 650};  ///< 380 to 780
   std::vector<double> axis_distances_m{};  ///< increasing; if empty, every 100 km across the shadow
-  /// about the axis, from celestial north through east, 0 to 360; if absent, the mean over all position angles
+  /// Angle about the axis, from celestial north through east, 0 to 360. If absent, the mean over all angles is used.
   std::optional<double> position_angle_deg{};
 };
 
@@ -54,7 +54,7 @@ void describe(Field&& is, const ShadowProfile& profile) {
      "standard error of the ratio, of photons, shape (D, W)");
 }
 
-/// Throws  Error  as for refracted_light; if no wavelength is given, or distances are not increasing within 0 to 1e8 m
+/// Throws  Error  when refracted_light does, no wavelength is given, or distances do not increase within 0 to 1e8 m
 ShadowProfile shadow_profile(const LightRequest& request, const ShadowCut& cut,
                              const ProfilePlaces& places = {},
                              const algebra::Progress& progress = {});

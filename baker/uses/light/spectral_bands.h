@@ -11,7 +11,7 @@
 
 namespace coppermoon::uses {
 
-/// Colour space of frames, strips and sheets. POV-Ray and shaders assume this space.
+/// Colour space of rendered images. POV-Ray and shaders assume this space.
 constexpr auto picture_space = colour::WorkingSpace::linear_rec709;
 
 /// Edges of the bands for sunlight and responses: 400 bands of 1 nm, from 380 to 780 nm.
@@ -41,7 +41,7 @@ std::vector<double> wavelengths_nm(int count);
 /// Returned  (channel, wavelength), with `count` wavelengths
 algebra::Grid<double> at_wavelengths(const algebra::Grid<double>& weights, int count);
 
-/// Brings channels into the gamut. Colours with negative luminance, which cubics through noise can cause, become black.
+/// Brings channels into the gamut. Colours with negative luminance, which interpolated noise can cause, become black.
 void into_gamut_or_black(colour::WorkingSpace space, std::span<double> channels);
 
 /// Weights of bands that give the channels of a white diffuse ground facing the Sun at 1 au:

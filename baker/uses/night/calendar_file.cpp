@@ -12,7 +12,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// A time in the format of RFC 5545, such as "20180727T202145Z".
+/// A moment in the format of RFC 5545, such as "20180727T202145Z".
 std::string stamp(const almanac::Instant& when) {
   std::string digits;
   for (const char c : almanac::utc_text(when))
@@ -20,7 +20,7 @@ std::string stamp(const almanac::Instant& when) {
   return digits;
 }
 
-/// A line folded as in RFC 5545, after at most 75 bytes and only between UTF-8 characters.
+/// Folds a line as RFC 5545 requires, after at most 75 bytes and only between UTF-8 characters.
 std::string line(const std::string& text) {
   std::string folded;
   std::size_t in_line = 0;
@@ -38,7 +38,7 @@ std::string line(const std::string& text) {
   return folded + "\r\n";
 }
 
-/// Text with characters escaped as in RFC 5545, 3.3.11.
+/// Text with special characters escaped as in RFC 5545, section 3.3.11.
 std::string escaped(const std::string& text) {
   std::string value;
   for (const char c : text) {
@@ -62,7 +62,7 @@ Shared shared_by(const std::optional<almanac::Observer>& place, const std::strin
           stamp(made)};
 }
 
-/// An event, which has no length if there is no end, and has an alarm if there are both a place and an end.
+/// Text of an event. An event without an end has no duration, and an event with both an end and a place has an alarm.
 std::string event(const Shared& shared, const std::string& id, const almanac::Instant& from,
                   const std::optional<almanac::Instant>& to, const std::string& title,
                   const std::string& text) {
@@ -90,8 +90,8 @@ std::string name_of(const eclipse::Eclipse& eclipse) {
   return almanac::date_text(eclipse.greatest) + "-eclipse";
 }
 
-/// Event for a whole eclipse as seen from a place. It begins at moonrise or when the Moon is first seen, and ends at
-/// moonset or when the Moon is last seen.
+/// Text of the event for a whole eclipse at a place. The event begins at moonrise or when the Moon is first seen, and
+/// ends at moonset or when the Moon is last seen.
 std::string event(const Shared& shared, const Circumstances& night) {
   const auto &first = night.seen.front().first, &last = night.seen.back().second;
   auto from = first, to = last;

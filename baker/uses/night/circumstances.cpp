@@ -41,7 +41,7 @@ std::vector<NightMoment> rises_and_sets(const Circumstances& night, double hours
   return all;
 }
 
-/// Time relative to the nearest contact: "12 min after U1".
+/// Text that gives a time relative to the nearest contact, such as "12 min after U1".
 std::string from_contact(const Circumstances& night, const Instant& when) {
   const auto contacts = contacts_of(night.eclipse);
   const auto away = [&](const auto& contact) {
@@ -54,7 +54,7 @@ std::string from_contact(const Circumstances& night, const Instant& when) {
   return fmt::format("{:.0f} min {} {}", std::abs(minutes), minutes > 0 ? "after" : "before", name);
 }
 
-/// Whether the Moon is seen during all or during some of an interval.
+/// Whether the Moon is seen during all of an interval, and whether it is seen during some of it.
 struct Share {
   bool all = false, some = false;
 };
@@ -69,7 +69,7 @@ Share seen_between(const Circumstances& night, const Instant& from, const Instan
   return share;
 }
 
-/// The spans between P1 and P4 during which the Moon is up, from the moments when it rises and sets.
+/// The spans between P1 and P4 during which the Moon is up, found from the moments when it rises and sets.
 std::vector<Span> up_spans(const Circumstances& night) {
   const auto &first = *night.eclipse.contacts.P1, &last = *night.eclipse.contacts.P4;
   std::vector<Span> spans;

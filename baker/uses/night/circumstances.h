@@ -14,12 +14,12 @@ namespace coppermoon::uses {
 
 /// A contact, moonrise or moonset, and the sky at that moment.
 struct NightMoment {
-  std::string name;  ///< "P1" … "greatest" … "P4", "moonrise", "moonset", "first seen", "last seen"
+  std::string name;  ///< such as "P1", "greatest", "moonrise", "moonset" or "first seen"
   almanac::Instant when;
   povray_scenes::HorizonPlace moon;  ///< apparent place of the Moon's centre, with refraction
   algebra::Angle sun_altitude;       ///< of the Sun's centre, without refraction
-  bool up;                           ///< whether any of the Moon is above the horizon
-  /// Angle at which a contact happens on the Moon's limb, counted from celestial north through east.
+  bool up;                           ///< whether any part of the Moon is above the horizon
+  /// Position angle on the Moon's limb at which a contact happens, from celestial north through east.
   std::optional<algebra::Angle> position_angle = {};
 };
 
@@ -36,17 +36,17 @@ struct Circumstances {
   std::vector<Span> up = {}, seen = {};
 };
 
-/// Contacts of an eclipse, and moonrises and moonsets within the given hours of greatest eclipse. Rise and set are the
-/// zeros of above_horizon, which includes parallax. The Moon counts as seen when it is up; as_seen (eclipse_light.h)
-/// applies the eye's limit.
+/// Contacts of an eclipse, and moonrises and moonsets within `hours` of greatest eclipse. The Moon rises and sets
+/// when above_horizon, which includes parallax, is zero. Here the Moon counts as seen whenever it is up. The function
+/// as_seen (eclipse_light.h) also requires that the Moon stands out from the sky.
 ///
-/// Accuracy  for rise and set, 0.1 s due to the Moon's position, and a minute or more due to the weather, which changes
-///           refraction; for position angles, 0.3°, because the shadow's edge is not quite round
-/// Throws    Error  as require_on_earth
+/// Accuracy  Rising and setting: 0.1 s from the Moon's position, plus a minute or more because refraction depends on
+///           the weather. Position angles: 0.3°, because the shadow's edge is not quite round
+/// Throws    Error  if require_on_earth does
 Circumstances circumstances(const eclipse::Eclipse& eclipse, const almanac::Observer& place,
                             double hours = 13);
 
-/// A moment of a night, with the positions of the Moon and the Sun.
+/// Makes a NightMoment, with the positions of the Moon and the Sun as seen from a place.
 NightMoment moment_at(const almanac::Observer& place, std::string name,
                       const almanac::SkyState& sky);
 
@@ -60,8 +60,8 @@ bool is_seen(const Circumstances& night, const almanac::Instant& when);
 /// after U1; all of totality is seen." or "Nothing of the eclipse is seen: the Moon is below the horizon."
 std::string what_is_seen(const Circumstances& night);
 
-/// Text that says between which contacts the Moon is seen: "all", "none", "U2 to P4", "between U1 and U2", "P1 to U1
-/// and U4 to P4".
+/// Text that says between which contacts the Moon is seen, such as "all", "none", "U2 to P4", "between U1 and U2", or
+/// "P1 to U1 and U4 to P4".
 std::string contacts_seen(const Circumstances& night);
 
 }  // namespace coppermoon::uses

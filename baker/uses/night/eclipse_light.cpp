@@ -32,8 +32,8 @@ Moonlight light_through(const eclipse::Eclipse& eclipse, const MoonRequest& moon
                           progress);
 }
 
-/// Spans within `whole` in which the sky has a property. The property is checked every 5 minutes, and the ends of the
-/// spans are found to 10 s. A quick theory of the Moon shows where the full theory is needed.
+/// Spans of time within `whole` during which the sky has a property. The property is checked every 5 minutes, and the
+/// ends of the spans are found to 10 s. Away from these ends, a fast lunar theory replaces the full one.
 template <class Property>
 std::vector<Span> spans_of(const Span& whole, const Property& holds) {
   using enum almanac::LunarTheory;
@@ -158,7 +158,7 @@ Circumstances seen_circumstances(const eclipse::Eclipse& eclipse, const almanac:
     if (!light) light.emplace(moon, usual_albedo, light_through(eclipse, moon));
     return light->brightness(sky);
   };
-  constexpr double longest_h = 3.5;  // from P1 to the greatest phase
+  constexpr double longest_h = 3.5;  // longest time from P1 to greatest eclipse
   return as_seen(circumstances(eclipse, place, longest_h), brightness, {.observer = place});
 }
 

@@ -23,16 +23,16 @@ namespace {
 
 using almanac::Instant;
 
-/// Levels relative to saturation: that to which the umbra's median is exposed, and the highest allowed for the sky.
+/// Level to which the umbra's median is exposed, and highest level allowed for the sky, both relative to saturation.
 constexpr double umbra_level = 0.18, most_sky_level = 0.5;
-/// Ratio of the lit disc's brightness to the brightness below which a place counts as being in the umbra.
+/// A place counts as being in the umbra if it is fainter than the disc's brightest places by more than this factor.
 constexpr double umbra_contrast = 200;
-/// Smallest share of the disc that the umbra must cover to get an exposure time for itself.
+/// The umbra gets an exposure time of its own if it covers more than this share of the disc.
 constexpr double least_umbra_share = 0.02;
 /// Time between a contact and the exposure just before or after it.
 constexpr double beside_contact_s = 60;
 
-/// Colours of a texture at places spread evenly over the disc that faces the Earth.
+/// Colours of a texture at places that are evenly spread over the disc seen from the Earth.
 std::vector<Rgb> disc_of(const texture::Image& texture, const almanac::SkyState& sky) {
   constexpr int side = 120;
   constexpr double edge = 0.995;  // texels nearer to the limb are seen edge-on
@@ -97,7 +97,7 @@ class Exposer {
   }
 
  private:
-  /// Level that the brightest channel stays below in the given share of the colours.
+  /// Level below which the brightest channel stays in the given share of the colours.
   static double brightest_of(const std::vector<Rgb>& colours, double share) {
     std::vector<double> levels;
     for (const auto& colour : colours) levels.push_back(std::ranges::max(colour));
@@ -115,8 +115,8 @@ class Exposer {
     return exposures_for(development_, frame, colour::WorkingSpace::linear_rec709).shorter.time_s;
   }
 
-  /// Exposure times for a part of the Moon, limited by trailing and by the sky's light. Nothing if the part would need
-  /// more than the longest time.
+  /// Exposure times for a part of the Moon, limited by trailing and by the sky's light. Returns nothing if the part
+  /// needs more than the longest time allowed.
   template <class Time>
   std::optional<PartExposure> limited(PhaseExposure& phase, const Rgb& sky, double spread,
                                       const Time& time_of) const {
@@ -180,7 +180,7 @@ double immersed(const Instant& u1, const Instant& when) {
   return (distance_m(u1) - distance_m(when)) / (2 * algebra::in_metres(almanac::lunar_radius));
 }
 
-/// Moment, to a second, between U1 or U4 and greatest eclipse when `share` of the Moon's diameter is in the umbra.
+/// Moment between a contact (U1 or U4) and greatest eclipse at which `share` of the Moon's diameter is in the umbra.
 Instant moment_of_share(const Instant& contact, const Instant& greatest, double share) {
   const double seconds = almanac::seconds_between(contact, greatest);
   double from = 0, to = 1;
@@ -227,13 +227,13 @@ std::vector<std::pair<std::string, Instant>> phases_of(const Circumstances& nigh
   return phases;
 }
 
-/// Progress for a part of the work. Its fractions 0 to 1 are reported to `whole` as fractions `from` to `to`.
+/// Progress function for a part of the work. The part's fractions 0 to 1 are reported to `whole` as `from` to `to`.
 algebra::Progress part_of(const algebra::Progress& whole, double from, double to) {
   if (!whole) return {};
   return [whole, from, to](double fraction) { whole(std::lerp(from, to, fraction)); };
 }
 
-/// Exposure times for the middle of totality at L = 4 to 0. Times with which the Moon would not be seen are left out.
+/// Exposure times for mid-totality at L = 4 to 0 on Danjon's scale, except those L at which the Moon would not be seen.
 std::vector<PhaseExposure> danjon_exposures(const Instant& greatest, const MoonRequest& moon,
                                             const EclipseLight& light, const ViewRequest& view,
                                             const Exposer& exposer,
@@ -263,7 +263,7 @@ std::vector<PhaseExposure> danjon_exposures(const Instant& greatest, const MoonR
   return exposures;
 }
 
-/// Time in which the Moon trails by two of the camera's pixels (4 µm wide if unknown). Nothing without a focal length.
+/// Time in which the Moon's image trails by two pixels (4 µm wide if unknown), or nothing without a focal length.
 std::optional<double> trailing_of(const Circumstances& night, const ViewRequest& view,
                                   const Development& development) {
   constexpr double usual_pixel_um = 4;

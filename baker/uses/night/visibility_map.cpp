@@ -47,7 +47,7 @@ double nearness(const UnderMoon& moon, double latitude, double longitude) {
          std::cos(latitude) * std::cos(moon.latitude) * std::cos(longitude - moon.longitude);
 }
 
-/// Rows of data for drawing a curve, which is interrupted where it goes from one side of the map to the other.
+/// Rows of data for drawing a curve, with a gap where the curve jumps from one side of the map to the other.
 std::string curve_rows(const std::vector<std::pair<double, double>>& points) {
   std::string text;
   double last = points.front().second;
@@ -59,9 +59,9 @@ std::string curve_rows(const std::vector<std::pair<double, double>>& points) {
   return text;
 }
 
-/// Shade for each cell of two degrees: 0 if nothing of the eclipse is seen, 1 for some of it, 2 for all.
+/// Shade of each cell of the map (two degrees wide): 0 if nothing of the eclipse is seen, 1 for some of it, 2 for all.
 std::string shade_rows(const eclipse::Eclipse& eclipse) {
-  constexpr int steps = 48;  // over six hours at most, so the Moon moves less than a cell per step
+  constexpr int steps = 48;  // in at most six hours, so the Moon moves less than a cell per step
   const auto& [first, last] = std::pair(*eclipse.contacts.P1, *eclipse.contacts.P4);
   std::vector<UnderMoon> moons;
   for (int i = 0; i <= steps; ++i)

@@ -24,7 +24,7 @@ std::vector<std::pair<double, double>> horizon_circle(const almanac::Instant& wh
 /// see all or none of the eclipse, and, if given, a place.
 ///
 /// Given   picture  a file name that ends in .png, .svg or .pdf
-/// Throws  Error    for another ending; as write_plot
+/// Throws  Error    if the file name has another ending, or if write_plot throws it
 /// Source  coastlines: Natural Earth 4.1, public domain (data/coastlines.csv)
 void write_visibility_map(const std::filesystem::path& picture, const eclipse::Eclipse& eclipse,
                           const std::optional<almanac::Observer>& place = {});

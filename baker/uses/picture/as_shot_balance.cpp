@@ -13,7 +13,7 @@ namespace {
 
 using Gains = std::array<double, 3>;
 
-/// Where the gains of red, green, green and blue stand in Canon's colour data, by the length of these data.
+/// Index of the first of the four gains (red, green, green, blue) in Canon's ColorData, by the number of values in it.
 const std::map<std::size_t, std::size_t> canon_first_gain{
     {582, 25},  {653, 24},  {674, 63},   {692, 63},   {702, 63},  {796, 63},
     {1227, 63}, {1250, 63}, {1251, 63},  {1273, 63},  {1275, 63}, {1312, 63},

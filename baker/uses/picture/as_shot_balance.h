@@ -7,11 +7,11 @@
 
 namespace coppermoon::uses {
 
-/// Gains of red, green and blue that a camera applied to its channels to make a photograph white, green's being 1.
+/// White-balance gains that a camera applied to its red, green and blue channels, relative to the gain for green.
 ///
-/// The gains come from the maker's notes that Canon and Nikon write.
+/// The gains are read from the maker notes of Canon and Nikon cameras.
 ///
-/// Returned  nothing for other cameras, for files without these notes, and for gains outside 0.1 to 10
+/// Returned  nothing for other cameras, for files without maker notes, and for gains outside 0.1 to 10
 /// Source    ExifTool, lib/Image/ExifTool/Canon.pm: ColorData1 to 12; Exiv2: Exif.Nikon3.WB_RBLevels
 std::optional<std::array<double, 3>> as_shot_balance(const std::string& photo);
 

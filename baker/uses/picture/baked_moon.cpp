@@ -33,7 +33,7 @@ std::vector<std::string> channel_names(colour::WorkingSpace space) {
   return {"R", "G", "B"};
 }
 
-/// Header attributes for placing a camera in front of the globe: sub-observer point, angle of the axis, and distance.
+/// Header attributes for placing a camera in front of the globe: sub-observer point, tilt of the axis, and distance.
 texture::Attributes attitude(const LitMoon& moon) {
   const auto& sky = moon.sky;
   auto middle = sky.sub_earth;
@@ -78,18 +78,18 @@ texture::Attributes header(const LitMoon& moon, const TextureContent& content,
 
 constexpr std::size_t colours = 3;
 
-/// A spectral band, computed as a weighted sum of entries in the table of light.
+/// A spectral band of a texel, computed as a weighted sum of the values that are looked up for the texel.
 struct Band {
   std::size_t first = 0;
   std::vector<float> shares;
 };
 
-/// The channels of one part of the texture, and the weights with which they are computed from the light.
+/// The channels in one part of a texture file, and the weights by which they are computed from the light's spectrum.
 struct Channels {
   std::vector<std::string> names;
-  algebra::Grid<double> weights;  // rows: entries in the table of light; columns: wavelengths
+  algebra::Grid<double> weights;  // a row for each looked-up value, a column for each wavelength
   LightPart light = LightPart::all;
-  std::vector<Band> bands = {};  // stored after the colours
+  std::vector<Band> bands = {};  // spectral channels, stored after the colour channels
 };
 
 /// Stacks two matrices, one below the other.
@@ -122,8 +122,8 @@ std::vector<Band> bands_of(const algebra::Grid<double>& shares) {
 
 constexpr double spectrum_nm = 400;
 
-/// Adds spectral channels named after their middle wavelengths, such as "S0.385,000000nm". The table of light holds the
-/// simulated wavelengths instead of the bands if they are fewer, which saves 95 % of the memory for bands of 1 nm.
+/// Adds spectral channels named after their middle wavelengths, such as "S0.385,000000nm". If there are fewer simulated
+/// wavelengths than bands, light is looked up by wavelength, which saves 95 % of the memory for bands of 1 nm.
 Channels with_spectrum(Channels channels, double width_nm, int wavelengths,
                        const std::optional<atmosphere::Sightline>& sightline) {
   const auto edges = band_edges_nm();
@@ -144,7 +144,7 @@ Channels with_spectrum(Channels channels, double width_nm, int wavelengths,
   return channels;
 }
 
-/// Fills a texel: copies its three colours, and computes its spectral bands, which are at least 0.
+/// Fills a texel: copies its three colours, computes its spectral bands, and sets negative bands to 0.
 void write_bands(std::span<const Band> bands, std::span<const float> looked_up,
                  std::span<float> texel) {
   std::ranges::copy(looked_up.first(colours), texel.begin());
@@ -181,14 +181,14 @@ shadow::Lookup light_in(const LitMoon& moon, const Channels& channels, colour::W
   return light;
 }
 
-/// The data from which the rows of a part are computed. It is kept in memory as long as rows may be requested.
+/// The data from which the rows of a texture part are computed. It stays in memory as long as rows may be requested.
 struct LitGround {
   std::shared_ptr<const algebra::Grid<float>> albedo;
   std::shared_ptr<const surface::Ground> ground;
   shadow::Lookup light;
 };
 
-/// The quantity that a part of the texture holds, and the sunlit colours by which its light is divided.
+/// The quantity stored in a texture part, and the colours of sunlit ground, if any, by which the light is divided.
 struct Held {
   TexelQuantity quantity;
   std::vector<double> sunlit = {};
@@ -211,8 +211,8 @@ texture::Part part(const LitMoon& moon, const std::string& name, const Channels&
           channels.bands.empty() ? kept : with_bands(kept, looked_up, channels.bands)};
 }
 
-/// Ratio of the ground's colours to those of white ground, both in sunlight: for the mean Moon, or for the reddest and
-/// the bluest ground.
+/// Brightness of lunar ground relative to white ground in each colour channel, both in sunlight. The lunar ground is
+/// that of the mean Moon, or the reddest followed by the bluest.
 std::vector<double> ground_colours(const LitMoon& moon, const algebra::Grid<double>& of_moon,
                                    const algebra::Grid<double>& of_white) {
   const auto seen = of_ground(moon.ground.get(), of_moon, band_centres_nm());
@@ -321,7 +321,7 @@ BakedMoon baked(const LitMoon& moon, const TextureContent& content, const Baking
   std::ranges::copy(grounds, sunlit.values().begin());
   add("reflectance", colour, shadow::Lookup(sunlit), {reflectance});
   made.parts.push_back(albedo_part(moon));
-  for (auto& share : std::span(made.parts).last(2)) {  // ratios have no unit or colour
+  for (auto& share : std::span(made.parts).last(2)) {  // these ratios have no unit and no colour
     share.left_out = {"whiteLuminance", "coppermoon:unit", "chromaticities"};
     share.own = {{"colorInteropID", std::string("data")}};
   }

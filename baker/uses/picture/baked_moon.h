@@ -22,12 +22,12 @@ namespace coppermoon::uses {
 /// What a texture contains, and the type of its numbers.
 struct TextureContent {
   std::optional<colour::WorkingSpace> space{};  ///< if absent, linear Rec.709
-  std::optional<texture::ExrType> type{};       ///< if absent, half; float for a spectrum
+  std::optional<texture::ExrType> type{};       ///< if absent, half, or float with a spectrum
   std::optional<double> spectral_nm{};  ///< width of the spectral bands; if absent, no bands
-  bool passes = false;                  ///< store the components of the light too
+  bool passes = false;                  ///< whether to store the light's components too
 };
 
-/// Throws  Error  when the width of the bands is outside 1 to 100 nm, or does not divide 400 nm evenly
+/// Throws  Error  when the width of the spectral bands is outside 1 to 100 nm, or does not divide 400 nm evenly
 void require_sound(const TextureContent& content);
 
 colour::WorkingSpace space_of(const TextureContent& content);
@@ -39,11 +39,11 @@ struct LitMoon {
   MoonRequest request;
   almanac::SkyState sky;
   std::shared_ptr<const algebra::Grid<float>> albedo;
-  std::shared_ptr<const surface::Ground> ground;  ///< nullptr means the mean Moon everywhere
+  std::shared_ptr<const surface::Ground> ground;  ///< if nullptr, the mean Moon's ground everywhere
   std::shared_ptr<const Moonlight> light;
-  /// The part of the shadow in which the disc lies; if absent, the whole disc is in direct sunlight.
+  /// Range of the shadow that the Moon's disc covers; if absent, the whole disc is in direct sunlight.
   std::optional<shadow::LookupRange> within;
-  /// The observer (if absent, at the Earth's centre), and the line of sight through the air that reddens the Moon.
+  /// The observer, at the Earth's centre if absent, and the line of sight through the air that reddens the Moon.
   std::optional<almanac::Observer> observer = {};
   std::optional<atmosphere::Sightline> sightline = {};
 };
@@ -52,40 +52,39 @@ struct LitMoon {
 LitMoon lit_moon(const MoonRequest& request, const almanac::SkyState& sky,
                  const algebra::Progress& progress = {});
 
-/// A texture, whose rows are baked only when they are requested, and its header.
+/// A texture and its header. The rows of the texture are baked only when they are requested.
 struct BakedMoon {
   std::vector<texture::Part> parts;
   texture::Attributes attributes;
 };
 
-/// Options for baking.
 struct Baking {
   texture::Extent extent = texture::Extent::whole;
-  algebra::Progress progress = {};  ///< reports the share of rows baked
-  /// Makes the recipe for the header; if empty, texture_recipe makes it
+  algebra::Progress progress = {};  ///< called with the share of rows baked
+  /// Function that makes the recipe for the texture's header; if empty, texture_recipe is used.
   std::function<std::string(const LitMoon&, const TextureContent&)> recipe = {};
 };
 
-/// The texture in its colour space [cd/m²], with the parts that the content requests:
+/// Bakes a texture in its colour space [cd/m²], with the following channels and parts if the content requests them:
 ///
-///     S0.…nm      spectral radiance [W m⁻² sr⁻¹ nm⁻¹], averaged over each band, after Fichet et
-///                 al. (2021), stored beside the colours
-///     direct, refracted        luminance from direct and from refracted sunlight, which add up to the whole
-///     irradiance, reflectance  two factors of the whole. The first is the luminance of white diffuse ground that
-///                              faces the Sun, with wavelengths weighted by the reddish colour of the Moon. The
-///                              second is the radiance factor of the ground in sunlight, with its local colour
-///     albedo      the map's normal albedo
+///     S0.…nm      channels of spectral radiance [W m⁻² sr⁻¹ nm⁻¹], averaged over each band, after Fichet et
+///                 al. (2021), stored beside the colour channels
+///     direct, refracted        luminance from direct and from refracted sunlight; their sum is the total luminance
+///     irradiance, reflectance  two factors of the total luminance. Irradiance is the luminance of white diffuse
+///                              ground that faces the Sun, with wavelengths weighted by the reddish colour of the
+///                              Moon. Reflectance is the radiance factor of the ground in sunlight
+///     albedo      normal albedo, from the map
 ///
-/// The ground's local colour shows in every part but irradiance, which is the luminance divided by the reflectance.
+/// Every part shows the local colour of the ground, except irradiance, which is the luminance divided by reflectance.
 ///
-/// In each part, colours outside the colour space are moved into its gamut. The attribute `coppermoon:recipe` holds the
-/// recipe that bakes the same texels again.
+/// In each part, colours outside the colour space are moved into its gamut. The header attribute `coppermoon:recipe`
+/// holds a recipe that bakes the same texels again.
 BakedMoon baked(const LitMoon& moon, const TextureContent& content, const Baking& baking = {});
 
-/// Illuminance from the whole Moon on a surface that faces it, at the observer's place and through the air there, in
-/// the channels of a colour space [lux].
+/// Illuminance [lux] from the whole Moon on a surface that faces it, in the channels of a colour space. The surface is
+/// at the observer's place, below the air that dims the Moon there.
 ///
-/// Accuracy  0.2 % with a texture of 360 rows, which is used unless the Moon's own texture has fewer
+/// Accuracy  0.2 % with a texture of 360 rows; if the Moon's own texture has fewer rows, their number is used
 std::array<double, 3> illuminance_seen(
     LitMoon moon, colour::WorkingSpace space = colour::WorkingSpace::linear_rec709);
 

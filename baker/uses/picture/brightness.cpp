@@ -29,7 +29,7 @@ bool in_totality(const almanac::Instant& when) {
          almanac::seconds_between(when, *eclipse->contacts.U3) >= 0;
 }
 
-/// The Moon's texture in the channels of a photometer.
+/// Bakes the Moon's texture with the channels of a photometer: the photometric bands, and luminance.
 texture::Image texture_in(const Photometer& meter, const LitMoon& moon, std::size_t rows) {
   const auto weights = of_ground(moon.ground.get(), meter.weights, band_centres_nm());
   const auto light =
@@ -40,7 +40,7 @@ texture::Image texture_in(const Photometer& meter, const LitMoon& moon, std::siz
                        moon.request.photometry);
 }
 
-/// The Moon with its albedo map resized to the number of rows of the textures that will be measured.
+/// A Moon that is ready to be measured. Its albedo map is resized to the number of rows that the textures will have.
 LitMoon measurable(const MoonRequest& request, const almanac::SkyState& sky, Moonlight light,
                    std::size_t rows) {
   const auto albedo =

@@ -18,10 +18,10 @@ namespace coppermoon::uses {
 /// Brightness of the whole Moon as seen from a place on the Earth, through the air there.
 struct BrightnessSeen {
   almanac::Observer place;
-  povray_scenes::HorizonPlace moon;    ///< place in the sky, including refraction
-  DiscBrightness disc;                 ///< as seen through the air
-  std::vector<double> extinction_mag;  ///< in each band; 0 if reddening is off
-  double sky_cd_m2 = 0;                ///< of the clear sky around the Moon
+  povray_scenes::HorizonPlace moon;    ///< the Moon's place in the sky, with refraction
+  DiscBrightness disc;                 ///< brightness through the air
+  std::vector<double> extinction_mag;  ///< extinction in each band; 0 if reddening is off
+  double sky_cd_m2 = 0;                ///< luminance of the clear sky around the Moon
 };
 
 template <class Field>
@@ -45,9 +45,9 @@ void describe(Field&& is, const BrightnessSeen& seen) {
 /// Brightness of the whole Moon at one moment.
 struct MoonBrightness {
   almanac::Instant instant;
-  DiscBrightness disc;           ///< as seen from the Earth's centre, without air
-  std::optional<double> danjon;  ///< on Danjon's scale, in totality only
-  /// standard error of the V magnitude, only in totality and with the air known for the month (totality_error_mag)
+  DiscBrightness disc;           ///< brightness from the Earth's centre, without air
+  std::optional<double> danjon;  ///< step on Danjon's scale, in totality only
+  /// Standard error of the V magnitude, only in totality and with the aerosol recorded for the month.
   std::optional<double> V_error = {};
   std::optional<BrightnessSeen> seen = {};
 };
@@ -65,19 +65,19 @@ void describe(Field&& is, const MoonBrightness& brightness) {
   is("seen", brightness.seen, "what a place sees; none without a place");
 }
 
-/// Standard error of the V magnitude computed for a totally eclipsed Moon with the air known for the month [mag].
+/// Standard error [mag] of the V magnitude computed for a totally eclipsed Moon and the aerosol recorded for the month.
 ///
 ///     σ² = (0.23 mag)² + (50 mag δτ)²       δτ: error in the stratosphere's optical depth
 ///
 /// 0.23 mag is the residual for five eclipses measured with instruments, and includes the effect of weather. The Moon
 /// darkens by 50 mag per unit of optical depth (40 to 58 mag in eclipses of umbral magnitudes 1.01 to 1.61).
 ///
-/// Given     year  with its fraction
-/// Returned  nothing unless the air is the one known for the month ("standard" or "calibrated", unaltered)
+/// Given     year  with a fractional part
+/// Returned  nothing unless the air is the atmosphere "standard" or "calibrated", without changes
 /// Accuracy  6 of 9 observed eclipses agree within this error and the observers' 0.3 mag combined; 68 % is expected
 std::optional<double> totality_error_mag(const Air& air, double year);
 
-/// Magnitude of the whole Moon in each band, as seen from the Earth's centre, without air.
+/// Magnitude of the whole Moon in each photometric band, as seen from the Earth's centre, without air.
 ///
 /// Accuracy  0.003 mag, with a texture of 180 rows
 std::vector<double> magnitudes_above(const LitMoon& moon);
@@ -97,17 +97,17 @@ MoonBrightness brightness_of(const MoonRequest& moon, const almanac::SkyState& s
 std::vector<almanac::Instant> moments_between(const almanac::Instant& from,
                                               const almanac::Instant& to, double step_min);
 
-/// Illuminance from the Moon on level ground at the place [lx].
+/// Illuminance from the Moon on level ground at the observer's place [lx].
 double level_illuminance_lx(const BrightnessSeen& seen);
 
-/// Brightness at one moment of a light curve.
+/// The Moon's brightness at one moment of a light curve.
 struct CurveMoment {
   MoonBrightness brightness;
   bool of_place = true;              ///< whether the curve has an observer
   std::optional<std::string> local;  ///< date and time in the requested time zone
 };
 
-/// Describes the numbers of a moment, one for each column. Unknown numbers are NaN, and a magnitude may be infinite.
+/// Describes the columns of a light curve at one moment. Unknown numbers are NaN. A black disc has infinite magnitudes.
 template <class Field>
 void describe(Field&& is, const CurveMoment& moment) {
   namespace unit = algebra::unit;
@@ -132,7 +132,6 @@ void describe(Field&& is, const CurveMoment& moment) {
      "luminance of the clear sky around the Moon");
 }
 
-/// Brightness of the whole Moon over time.
 struct LightCurve {
   std::vector<CurveMoment> moments;
   std::vector<result::Column> columns;  ///< the curve's numbers and their descriptions
@@ -141,18 +140,18 @@ struct LightCurve {
 /// Light curve of an eclipse, computed from one simulation and measured on textures of 180 rows.
 ///
 /// Given     moments  one or more within a day, in order of time; they may be before P1 or after P4
-///           view     only its observer and air are used; without an observer there are no columns for a place
+///           view     only its observer and air are used; without an observer, columns for a place are left out
 /// Accuracy  agrees with brightness_of to 0.003 mag in magnitudes, and to 0.3 % in illuminances
-/// Throws    Error    when no eclipse is under way between the moments, or when normal_albedo or air_over does
+/// Throws    Error    when no eclipse falls within these moments, or when normal_albedo or air_over does
 LightCurve light_curve(const MoonRequest& moon, const std::vector<almanac::Instant>& moments,
                        const ViewRequest& view = {}, const algebra::Progress& progress = {});
 
 /// Measures the whole Moon at any moment of one eclipse, as seen from the Earth's centre.
 class MoonSurvey {
  public:
-  /// Given  albedo  normal albedo, whose number of rows the textures will have
+  /// Given  albedo  normal albedo, with as many rows as the textures will have
   ///        light   the light along the Moon's path; must outlive the survey
-  ///        meter   sets the channels of the textures
+  ///        meter   the photometer, which sets the channels of the textures
   MoonSurvey(const MoonRequest& moon, const algebra::Grid<float>& albedo, const Moonlight& light,
              Photometer meter = photometer());
 

@@ -25,12 +25,12 @@ CameraColours camera_colours(const std::optional<std::string>& response,
   colours.channels_from_xyz = glm::inverse(spectra.xyz_from_balanced);
   if (as_shot)
     colours.gains =
-        vector_of(*as_shot) * spectra.daylight / spectra.daylight.g;  // daylight's are its inverse
+        vector_of(*as_shot) * spectra.daylight / spectra.daylight.g;  // divides by daylight's gains
   return colours;
 }
 
 std::array<double, 3> rec709_of(std::span<const double> xyz) {
-  constexpr double dark = 1e-12;  // darker colours may round to negative values
+  constexpr double dark = 1e-12;  // in darker colours, rounding can make channels negative
   if (xyz[1] < dark) return {dark, dark, dark};
   static const auto from_xyz = colour::channels_from_xyz(colour::WorkingSpace::linear_rec709);
   const auto rgb = from_xyz * glm::dvec3(xyz[0], xyz[1], xyz[2]);

@@ -10,45 +10,45 @@
 
 namespace coppermoon::uses {
 
-/// How a camera's own JPEG turns light into linear Rec.709: it multiplies the sensor's channels by gains, then mixes
-/// them. In deep red light this differs much from gains on Rec.709 itself, where the sensor's green and blue
-/// cancel.
+/// How a camera converts light to linear Rec.709 for its own JPEG: it multiplies the sensor's channels by gains, then
+/// mixes them. In deep red light, gains applied to the Rec.709 channels would give a very different result, because the
+/// sensor's green and blue cancel out in those channels.
 struct CameraColours {
-  glm::dmat3 channels_from_xyz{1};     ///< channels in which daylight (D65) is white
-  glm::dmat3 rec709_from_channels{1};  ///< with daylight's white balance
-  glm::dvec3 gains{1};                 ///< as shot, relative to daylight's
-  /// Share of the brightest channel that is added to each, on average. Colours outside the gamut are cut off at 0, and
-  /// noise and stray light are positive, so dark channels are brighter than the mixture.
+  glm::dmat3 channels_from_xyz{1};     ///< from XYZ to channels in which daylight (D65) is white
+  glm::dmat3 rec709_from_channels{1};  ///< from channels balanced for daylight to Rec.709
+  glm::dvec3 gains{1};                 ///< as-shot gains divided by the gains for daylight
+  /// Average share of the brightest channel that is added to every channel. Dark channels come out brighter than the
+  /// mixture, because colours outside the gamut are clipped at 0, and noise and stray light are positive.
   double lift = 0.01;
 };
 
-/// Colours of a camera with a response.
+/// The colour conversion of a camera with the given response.
 ///
-/// Given   response  as in MoonRequest; any but a spectral one has the channels of Rec.709
-///         as_shot   gains of the channels as as_shot_balance gives them; if absent, daylight's
-/// Throws  Error     as colour::camera_spectra
+/// Given   response  as in MoonRequest; if it is not spectral, the camera's channels are those of Rec.709
+///         as_shot   the gains from as_shot_balance; if absent, those for daylight
+/// Throws  Error     when colour::camera_spectra does
 CameraColours camera_colours(const std::optional<std::string>& response,
                              const std::optional<std::array<double, 3>>& as_shot);
 
-/// Converts moonlight to linear Rec.709 and brings it into the gamut as for renders. Channels are 1e-12 or more.
+/// Converts moonlight to linear Rec.709, and brings it into the gamut as renders do. Each channel is at least 1e-12.
 ///
-/// Given  xyz  of moonlight, in any unit
+/// Given  xyz  CIE XYZ of the moonlight, in any unit
 std::array<double, 3> rec709_of(std::span<const double> xyz);
 
-/// X, Y, Z of light in linear Rec.709.
+/// Converts light from linear Rec.709 to CIE XYZ.
 std::array<double, 3> xyz_of_rec709(std::span<const double> rgb);
 
-/// Moonlight as a camera writes it: linear Rec.709, each channel at least `least` times the brightest, and 1e-12, before
-/// the lift is added.
+/// Moonlight as a camera records it, in linear Rec.709. Before the lift is added, each channel is raised to at least
+/// 1e-12, and to at least `least` times the brightest channel.
 ///
-/// Given  colours  if absent, light is brought into the gamut as in renders
-///        xyz      of moonlight, in any unit
+/// Given  colours  the camera's conversion; if absent, rec709_of is used
+///        xyz      CIE XYZ of the moonlight, in any unit
 std::array<double, 3> rec709_by(const std::optional<CameraColours>& colours,
                                 std::span<const double> xyz, double least);
 
-/// Parts of a Rec.709 channel's light, with its lift, that come from the camera's red, green and blue channels.
+/// Contributions of the camera's red, green and blue channels to one channel of Rec.709, including the lift.
 ///
-/// Given  xyz  of moonlight, in any unit
+/// Given  xyz  CIE XYZ of the moonlight, in any unit
 glm::dvec3 parts_of(std::size_t channel, const CameraColours& colours, std::span<const double> xyz);
 
 }  // namespace coppermoon::uses

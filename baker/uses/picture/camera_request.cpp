@@ -53,7 +53,7 @@ void change(colour::Sensor& sensor, const CameraRequest& request) {
 
 bool is_dng(const std::filesystem::path& file) { return file.extension() == ".dng"; }
 
-/// Keeps one channel of every pixel. Red and green alternate in one row, green and blue in the next.
+/// Keeps one channel of every pixel, like a Bayer mosaic: rows of red and green alternate with rows of green and blue.
 algebra::Grid<std::uint16_t> mosaic_of(const algebra::Grid<colour::RawPixel>& raw) {
   algebra::Grid<std::uint16_t> mosaic(raw.rows(), raw.columns());
   for (std::size_t r = 0; r < raw.rows(); ++r)

@@ -16,8 +16,8 @@
 
 namespace coppermoon::uses {
 
-/// The requested camera. If it names no model, the picture shows the scene itself without noise. Its colours are those
-/// of the spectral response if one is given.
+/// A requested camera. If no model is named, the picture shows the scene itself, without noise. If a spectral response
+/// is given, the picture has its colours.
 struct CameraRequest {
   std::string model{};  ///< one of colour::camera_names(); if empty, no camera
   std::optional<double> aperture_mm{}, obstruction{}, transmission{}, pixel_um{},
@@ -47,25 +47,25 @@ ViewRequest seen_through(const CameraRequest& request, ViewRequest view);
 /// Angle across a pixel in the middle of a frame [rad].
 double pixel_rad_of(const povray_scenes::SceneCamera& camera);
 
-/// Facts about a frame that are needed to develop it, besides its light.
+/// Facts about a frame that are needed to develop it, in addition to its light.
 struct SeenFrame {
   double pixel_rad = 0;  ///< angle across the middle pixel; if 0, computed from the sensor's width
   /// Luminance of the sky towards the Moon. The sky's light is included in every pixel, on the Moon and beside it.
   /// 0 if the frame holds no sky.
   double sky_cd_m2 = 0;
   std::optional<DiscOutline> disc = {};  ///< the Moon's edge, if known
-  bool of_another_program = false;       ///< written by another program, as its header shows
-  /// Luminance of a sky that the header gives but the pixels lack, as in files from older versions; otherwise 0
+  bool of_another_program = false;       ///< whether another program wrote the frame
+  /// Luminance of a sky that the header states but the pixels lack, as in files from older versions; otherwise 0.
   double sky_left_out_cd_m2 = 0;
 };
 
-/// The facts about a frame that follow from its view and its sky.
+/// Facts for developing a frame, derived from its view and its sky.
 SeenFrame seen_by(const View& view, const FrameSky& sky);
 
-/// The facts about a frame that its header holds.
+/// Facts for developing a frame, read from its header.
 SeenFrame seen_by(const std::filesystem::path& frame);
 
-/// Adds the facts about a frame to a header.
+/// Adds the facts for developing a frame to its header.
 void add_seen(texture::Attributes& attributes, const SeenFrame& seen);
 
 /// A scene-linear frame that is to be developed.
@@ -73,7 +73,7 @@ struct Frame {
   const texture::Image& light;  ///< [cd/m²]
   colour::WorkingSpace space;
   SeenFrame seen = {};
-  std::uint64_t number = 0;             ///< gives each frame different noise
+  std::uint64_t number = 0;             ///< frame number, so that noise differs between frames
   texture::Attributes attributes = {};  ///< for the headers of the camera's files
 };
 
@@ -86,10 +86,10 @@ colour::Photograph photographed(const CameraRequest& request, const colour::Came
 /// Throws  Error  when it ends in neither .tif nor .dng, or is a .dng for a sensor without colours
 void require_raw_file(const std::filesystem::path& file, const colour::Camera& camera);
 
-/// Writes what the sensor counted. A .tif gets all three channels of every pixel; a .dng, for raw converters, gets
-/// one channel of each pixel, as the sensor's mosaic of colour filters dictates. Its as-shot white is D65.
+/// Writes the sensor's raw numbers. A .tif file holds all three channels of every pixel. A .dng file is for raw
+/// converters: it holds one channel of each pixel, as behind a mosaic of colour filters, and its as-shot white is D65.
 ///
-/// Given   attributes  if they hold the moment and the exposure, these become EXIF data
+/// Given   attributes  may include the moment and the exposure, which become EXIF data
 /// Throws  Error       when require_raw_file or texture::write_dng does
 void write_raw(const std::filesystem::path& file, const CameraRequest& request,
                const colour::Camera& camera, double iso, const colour::Photograph& photograph,

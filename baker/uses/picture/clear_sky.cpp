@@ -28,7 +28,7 @@ glm::dvec3 sun_in_sky(const almanac::ObserverView& view, const almanac::SkyState
           glm::dot(sun, view.zenith)};
 }
 
-/// The Sun's altitude, limited to 5 degrees, because the sky by day is taken to be that of bright twilight.
+/// The Sun's altitude, but at most 5 degrees, because the daytime sky is modelled as bright twilight.
 algebra::Angle of_twilight(algebra::Angle sun_altitude) {
   return std::min(sun_altitude, algebra::degrees(5));
 }

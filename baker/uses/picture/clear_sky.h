@@ -22,14 +22,15 @@ struct ColourIndices {
   double b_minus_v, v_minus_r;
 };
 
-/// Spectrum in bands of 10 nm from 380 to 780 nm: that of sunlight, adjusted to have the given colour indices.
+/// Spectrum of sunlight, adjusted to have the given colour indices, in bands of 10 nm from 380 to 780 nm.
 ///
 ///     E(λ) = E_sun(λ) 10^(−0.4 Δm(λ))
 ///
-/// Δm, the difference from the Sun [mag], is linear between B (440 nm), V (550 nm) and R (641 nm), and beyond them.
+/// Δm, the difference from the Sun [mag], is interpolated linearly between B (440 nm), V (550 nm) and R (641 nm), and
+/// extrapolated linearly beyond them.
 std::vector<double> spectrum_of(const ColourIndices& colour);
 
-/// Colour of a spectrum that is given in the bands of spectrum_of, scaled to luminance 1; black stays black.
+/// Colour, scaled to luminance 1, of a spectrum in the bands of spectrum_of. Black stays black.
 Rgb colour_of(const std::vector<double>& spectrum);
 
 /// The colour scaled to luminance 1; black stays black.
@@ -39,8 +40,8 @@ Rgb normalised(Rgb light);
 ///
 ///     S(λ) = E(λ) g(λ) k_V/k(λ) 10^(−0.4 k(λ) X_m) (1 − 10^(−0.4 k(λ) X))
 ///
-/// where g = τ(λ)/τ(550 nm), for molecules or for aerosol, and k is the extinction. X_m is the air mass towards the
-/// body, X that along the line of sight. This is the law of atmosphere::moonlit_sky_cd_m2 at each wavelength.
+/// Here g = τ(λ)/τ(550 nm), for molecules or for aerosol, and k is the extinction. X_m is the air mass towards the
+/// body, and X is the air mass along the line of sight. The law is that of atmosphere::moonlit_sky_cd_m2.
 ///
 /// Omits  light that is scattered more than once
 class ScatteredColour {
@@ -49,14 +50,14 @@ class ScatteredColour {
   ScatteredColour(const atmosphere::ObserverAir& air, const ColourIndices& body,
                   algebra::Angle altitude);
 
-  /// Light scattered by molecules and by aerosol, each for a scattering term of 1 (atmosphere::scattering_terms).
+  /// Light scattered by molecules and by aerosol, each computed with a scattering term of 1 (see scattering_terms).
   struct Pair {
     Rgb molecules, aerosol;
   };
   Pair along(algebra::Angle altitude) const;
 
  private:
-  std::vector<double> extinction_mag_, of_molecules_, of_aerosol_;  ///< [band]
+  std::vector<double> extinction_mag_, of_molecules_, of_aerosol_;  ///< one value for each band
 };
 
 /// The terms that make up a sky's luminance [cd/m²].
@@ -67,10 +68,10 @@ struct SkyTerms {
 };
 
 /// Clear sky over a place at one moment, in every direction: airglow, twilight, and moonlight that the air scatters
-/// (atmosphere/twilight_sky.h, sky_luminance.h). By day it looks as in bright twilight, with the Sun at 5 degrees.
+/// (atmosphere/twilight_sky.h, sky_luminance.h). By day it looks as in bright twilight, with the Sun 5 degrees high.
 class ClearSky {
  public:
-  /// Given   moon_magnitudes  of the Moon without air, in B, V and R; infinite for a dark Moon
+  /// Given   moon_magnitudes  the Moon's magnitudes without air, in B, V and R; infinite for a dark Moon
   /// Throws  Error            when a term of the air is outside its range
   ClearSky(const almanac::Observer& place, const almanac::SkyState& sky,
            const atmosphere::ObserverAir& air, std::span<const double> moon_magnitudes);
@@ -79,7 +80,7 @@ class ClearSky {
            const atmosphere::ObserverAir& air, double moon_magnitude);
 
   /// Light of the sky [cd/m²], linear Rec.709, with the luminance that `towards` gives. Moonlight gets its colour from
-  /// scattering (ScatteredColour). Airglow has B − V = 1.03 and V − R = 0.74.
+  /// scattering (ScatteredColour). Airglow has the colour indices B − V = 1.03 and V − R = 0.74.
   ///
   /// Given   direction  as for `towards`
   /// Source  Patat (2003), A&A 400, 1183, for the colour of airglow
@@ -92,9 +93,9 @@ class ClearSky {
   algebra::Angle from_moon(const glm::dvec3& direction) const;
 
   double zenith_cd_m2() const { return towards({0, 0, 1}).sum(); }
-  algebra::Angle sun_altitude() const { return sun_altitude_; }  ///< without refraction
+  algebra::Angle sun_altitude() const { return sun_altitude_; }  ///< altitude without refraction
   algebra::Angle sun_azimuth() const { return algebra::radians(std::atan2(to_sun_.x, to_sun_.y)); }
-  double extinction_mag() const { return extinction_mag_; }  ///< in V, at the zenith
+  double extinction_mag() const { return extinction_mag_; }  ///< extinction in V, at the zenith
 
  private:
   Rgb twilight_towards(const glm::dvec3& direction) const;
@@ -106,7 +107,7 @@ class ClearSky {
   algebra::Angle sun_altitude_;
   atmosphere::TwilightSky twilight_;
   std::vector<ScatteredColour::Pair>
-      of_moon_;  ///< at evenly spaced altitudes from 0 to 90 degrees; empty if the Moon is dark
+      of_moon_;  ///< moonlight at evenly spaced altitudes, 0 to 90°; empty if the Moon is dark
 };
 
 /// Direction in an observer's sky, as a unit vector: east, north, up.

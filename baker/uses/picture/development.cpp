@@ -32,8 +32,8 @@ const PictureFile& file_of(const std::filesystem::path& picture) {
   return files::format_of(picture, picture_files(), "a picture");
 }
 
-/// Completes a development for a picture's file. If the usual display is set, the file's ending chooses the display.
-/// Names are spelt as in the OpenColorIO configuration, which may come from $OCIO.
+/// Adapts a development to a picture's file. If the default display is set, the file's ending decides on the display.
+/// The names of view and display are then spelt as in the OpenColorIO configuration, which may come from $OCIO.
 Development for_file(Development development, const std::filesystem::path& picture) {
   if (file_of(picture).high_range && development.display == usual_display)
     development.display = high_range_display;
@@ -44,10 +44,10 @@ Development for_file(Development development, const std::filesystem::path& pictu
   return development;
 }
 
-/// A function that measures a colour: its luminance, or its brightest channel [cd/m²].
+/// Function that returns the level of a colour: its luminance, or its brightest channel [cd/m²].
 using Level = double(colour::WorkingSpace, std::span<const double>);
 
-/// Levels of all lit pixels that the Moon covers wholly or partly [cd/m²].
+/// Levels [cd/m²] of all lit pixels that the Moon covers wholly or partly.
 std::vector<double> levels(Level level, const texture::Image& frame, colour::WorkingSpace space,
                            const std::optional<DiscOutline>& disc) {
   std::vector<double> lit;
@@ -71,7 +71,7 @@ double bright_level_of(std::vector<double> lit) {
   return *bright;
 }
 
-/// Keeps the greatest of the numbers that are added to it, just enough of them to find the 99th percentile of all.
+/// Finds the 99th percentile of the numbers that are added to it. Only the greatest are kept, as many as are needed.
 class Brightest {
  public:
   explicit Brightest(std::size_t most) : kept_(most - most * 99 / 100) {}
@@ -97,7 +97,7 @@ class Brightest {
   std::vector<double> greatest_;
 };
 
-/// Calls a function on the whole texture, a band of rows at a time.
+/// Calls a function with each band of rows of a texture, from top to bottom.
 void for_each_band(const LitTexture& texture,
                    const std::function<void(const texture::Image&)>& act) {
   constexpr std::size_t rows_at_once = 64;
@@ -109,7 +109,7 @@ void for_each_band(const LitTexture& texture,
   }
 }
 
-/// Levels are counted by the leading bits of their floats, which sort like the levels. The last 12 bits are dropped.
+/// Number of trailing bits that are dropped from a level. Levels (floats) with equal leading bits are counted together.
 constexpr unsigned dropped_bits = 12;
 
 std::size_t step_of(double level) {
@@ -137,10 +137,10 @@ double cubic_mean(const LitSums& sums) {
   return mean * mean * mean;
 }
 
-/// Mean weighted by the cube of each value. It is close to the mean of the bright part, however small that part is.
+/// Mean weighted by the cube of each value. It is close to the mean of the disc's bright part, however small that is.
 double bright_mean(const LitSums& sums) { return sums.fourth_powers / sums.cubes; }
 
-/// Harmonic mean. It is close to the mean of the dark part once that part is a tenth of the disc.
+/// Harmonic mean. It is close to the mean of the disc's dark part once that part is a tenth of the disc.
 double dark_mean(const LitSums& sums) { return static_cast<double>(sums.count) / sums.inverses; }
 
 /// An exposure of one second with the f-number and ISO speed of the development.
@@ -148,17 +148,17 @@ colour::Exposure one_second(const Development& development) {
   return {1, f_number_of(development), development.iso};
 }
 
-/// Share of saturation at which a sky is exposed. The night sky comes out dark, and brighter skies come out brighter,
-/// as they look to the adapted eye, but never near white.
+/// Share of saturation to which a sky is exposed. The night sky comes out dark. Brighter skies come out brighter, as
+/// they look to the adapted eye, but never near white.
 ///
 /// Source  Krawczyk, Myszkowski & Seidel (2005), Perceptual effects in real-time tone mapping, Proc. SCCG, eq. 11: a
 ///         scene's key as a function of its luminance
 double sky_level(double sky_cd_m2) {
-  constexpr double least = 0.1, most = 0.4;  // with less, a dim Moon would be lost in the dark
+  constexpr double least = 0.1, most = 0.4;  // below 0.1, a dim Moon would be lost in the dark
   return std::clamp(1.03 - 2 / (2 + std::log10(sky_cd_m2 + 1)), least, most);
 }
 
-/// Exposure time that brings the brightest channel to a share of saturation, or the sky to its level if that is sooner.
+/// Exposure time [s] that brings the brightest channel to `level`, or the sky to sky_level if that is sooner.
 double time_for(const Development& development, double sky_cd_m2,
                 const std::optional<double>& brightest = {}, double level = 0) {
   double scale = brightest ? level / *brightest : std::numeric_limits<double>::max();
@@ -227,7 +227,7 @@ colour::Image taken(const Development& development, const colour::Exposure& expo
   return photograph.scene_linear;
 }
 
-/// (1 - exp(-x)) / x
+/// The factor (1 - exp(-x)) / x, which dims light x to 1 - exp(-x).
 double rounded_off(double x) { return std::abs(x) < 1e-9 ? 1 : -std::expm1(-x) / x; }
 
 /// Dims each pixel so that its brightest channel x, in units of saturation, becomes 1 - exp(-x). Colours do not change.
@@ -293,7 +293,7 @@ texture::Image shown_of(const Development& development, double scale, colour::Im
   return image;
 }
 
-/// Writes a picture whose header says how it was developed.
+/// Writes a picture whose header states how it was developed.
 void write_shown(const std::filesystem::path& file, const Development& development,
                  const Exposures& exposures, ShownPicture picture) {
   picture.bits = development.bits;
@@ -456,7 +456,7 @@ void write_picture(const Development& asked, const Exposures& exposures, const F
   auto image = developed(development, exposures, frame);
   if (development.caption) {
     const auto [left, right] = caption_of(frame.attributes);
-    const float grey = development.display == high_range_display ? 0.5F : 0.8F;  // in PQ, 100 cd/m²
+    const float grey = development.display == high_range_display ? 0.5F : 0.8F;  // 0.5 is 100 cd/m²
     texture::write_captions(image, left, right, grey, texture::sheet_font());
   }
   if (const auto date = frame.attributes.find("capDate"); date != frame.attributes.end())

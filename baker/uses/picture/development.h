@@ -16,13 +16,13 @@ namespace coppermoon::uses {
 /// Rule for the exposure time of a frame.
 struct ExposureTime {
   enum class Rule {
-    automatic,  ///< exposes the 99th percentile of lit pixels to 0.8 of saturation
+    automatic,  ///< brings the 99th percentile of lit pixels to 0.8 of saturation
     follow,     ///< exposes for a mean over the disc that changes smoothly at totality
     composite,  ///< for films: combines an exposure for the bright part and one for the shadow
     fixed
   };
   Rule rule = Rule::automatic;
-  double seconds = 1;  ///< for the rule `fixed`, 1e-6 to 1e6
+  double seconds = 1;  ///< exposure time for the rule `fixed`, 1e-6 to 1e6
 };
 
 /// Settings for the camera and the development.
@@ -35,23 +35,23 @@ struct Development {
       display = "sRGB",
       config;  ///< for OpenColorIO; config is a file or ocio://…, or found by colour::config_for
   std::string
-      config_space{};      ///< the frames' colour space in the configuration; if empty, detected
+      config_space{};      ///< the frames' colour space, as named in `config`; if empty, detected
   int bits = 8;            ///< bits per number in a picture, 8 or 16
-  bool caption = false;    ///< write local time, place and contact into pictures
-  CameraRequest camera{};  ///< for frames; textures have no camera
-  std::optional<double> focal_length_mm{};  ///< that of the view; if absent, the camera's
+  bool caption = false;    ///< whether to write local time, place and contact into pictures
+  CameraRequest camera{};  ///< camera for frames; textures are developed without one
+  std::optional<double> focal_length_mm{};  ///< focal length of the view; if absent, the camera's
 };
 
 /// Exposure of a picture, or both exposures of a composite.
 struct Exposures {
   colour::Exposure shorter;
-  std::optional<double> longer_s = {};  ///< for a composite; not less than the shorter time
-  bool a_cameras = true;                ///< otherwise it only sets the luminance of white
+  std::optional<double> longer_s = {};  ///< only in a composite; not less than the shorter time
+  bool a_cameras = true;                ///< if false, exposures only set the luminance of white
 };
 
-/// Exposure of a frame by the development's rule. It is computed from the Moon's pixels, including the sky's light in
-/// them, but is short enough to keep the sky at or below its own level: 0.1 of saturation at night, up to 0.4 by day.
-/// If nothing of the Moon is lit, only the sky counts. If the sky is black as well, the time is 1 s.
+/// Exposure for a frame by the development's rule. It is computed from the Moon's pixels, which include light from the
+/// sky. It is short enough to keep the sky at or below 0.1 of saturation at night, and up to 0.4 by day. If nothing of
+/// the Moon is lit, only the sky counts. If the sky is black as well, the time is 1 s.
 ///
 /// Given  seen  if it has the Moon's outline, only pixels of the Moon count; otherwise all pixels do
 /// Throws Error when a setting is outside its range, or the frame has fewer than three channels
@@ -82,10 +82,10 @@ struct LitSums {
   void add(double brightest_cd_m2);
 };
 
-/// One exposure for a set of frames: the rule for a single frame, applied to the pixels of all of them. Only counts
-/// and sums are kept in memory.
+/// One exposure for a set of frames: the rule for a single frame is applied to the pixels of all frames together. Only
+/// counts and sums are kept in memory.
 ///
-/// Accuracy  automatic times to 1/2000, because levels are counted in steps of 2^-11
+/// Accuracy  automatic exposure times to 1/2000, because levels of pixels are counted in relative steps of 2^-11
 class SharedExposure {
  public:
   explicit SharedExposure(const Development& development);
@@ -94,26 +94,26 @@ class SharedExposure {
 
  private:
   Development development_;
-  std::vector<std::size_t> counts_;  ///< number of pixels at each step of the brightest channel
+  std::vector<std::size_t> counts_;  ///< number of pixels at each level of the brightest channel
   LitSums sums_;
-  double sky_cd_m2_ = 0;  ///< the brightest sky so far
+  double sky_cd_m2_ = 0;  ///< luminance of the brightest sky so far
 };
 
-/// Text that identifies the colour transform of a view and display, whatever the name of their configuration.
+/// Text that identifies the colour transform of a view and display, regardless of their configuration's name.
 std::string fingerprint(const Development& development, colour::WorkingSpace space);
 
 /// Factor that converts luminance [cd/m²] to a scale on which white is 1.
 double scale_of(const Development& development, const colour::Exposure& exposure);
 
-/// Whether an exposure is that of a camera. This is so if coppermoon made the frame, or if an exposure time, f-number
-/// or camera model is set. Otherwise the frame may be in any unit of light.
+/// Whether an exposure is that of a camera. This is the case if coppermoon made the frame, or if an exposure time,
+/// f-number or camera model is set. Otherwise the frame may be in any unit of light.
 bool is_a_cameras(const Development& development, const SeenFrame& seen);
 
 /// Adds a camera's exposure to a header under OpenEXR's standard names. For a composite, it also adds
 /// `coppermoon:longer_exposure_s`.
 void add_exposure(texture::Attributes& attributes, const Exposures& exposures);
 
-/// The same development for screens of high dynamic range: the display is Rec.2100-PQ, with 16 bits.
+/// Adapts a development to screens of high dynamic range: the display becomes Rec.2100-PQ, with 16 bits.
 Development of_high_range(Development development);
 
 /// Throws Error when the development would fail for any frame: for a setting outside its range, a picture whose
@@ -128,9 +128,9 @@ texture::Image shown(const Development& development, double scale, const texture
 /// photograph, and the camera's files are written if they are requested.
 ///
 /// A composite adds two exposures. A colour's brightest channel x, in units of saturation, becomes
-/// 0.7 x_shorter + 0.3 (1 - exp(-x_longer)), and its other channels keep their ratios to it. Brighter ground thus stays
-/// brighter. A camera takes the longer exposure of a scene that is already dimmed to 1 - exp(-x), so that the sensor
-/// does not clip and the glare of the sunlit part does not drown the shadow.
+/// 0.7 x_shorter + 0.3 (1 - exp(-x_longer)), and the other channels keep their ratios to it. Brighter ground thus stays
+/// brighter. A camera takes the longer exposure of a scene that has already been dimmed to 1 - exp(-x), so that the
+/// sensor does not clip and glare from the sunlit part does not drown the shadow.
 texture::Image developed(const Development& development, const Exposures& exposures,
                          const Frame& frame);
 

@@ -32,8 +32,8 @@ double area_inside(double inside, double along, double across) {
 
 using povray_scenes::RenderWindow;
 
-/// The pixels that middle ± reach touches, as the first of them and one past the last. The range is widened by one
-/// pixel on each side, has at least two pixels, and stays within the frame.
+/// Range of the pixels from middle − reach to middle + reach: the first, and one past the last. The range is widened by
+/// one pixel on each side, has at least two pixels, and stays within the frame.
 std::optional<std::pair<std::size_t, std::size_t>> pixels_about(double middle, double reach,
                                                                 std::size_t count) {
   const auto most = static_cast<double>(count);
@@ -56,8 +56,8 @@ double share_at(const DiscOutline& disc, std::size_t row, std::size_t column) {
   return covered_share(disc, static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
 }
 
-/// The nearest pixel along the disc's radius that the disc covers wholly (share 1, inwards) or not at all (share 0,
-/// outwards). Nothing if the disc has only a few pixels, or if that pixel is outside the frame.
+/// The nearest pixel that the disc covers wholly (share 1) or not at all (share 0), found by going inwards or outwards
+/// along the disc's radius. Nothing if the disc has only a few pixels, or if that pixel is outside the frame.
 std::optional<std::pair<std::size_t, std::size_t>> beside(const DiscOutline& disc,
                                                           const texture::Image& frame,
                                                           std::size_t row, std::size_t column,
@@ -107,7 +107,7 @@ double covered_share(const DiscOutline& o, double x, double y) {
   return area_inside((1 - value) / slope, slope_x / slope, slope_y / slope);
 }
 
-/// The ellipse's half width is sqrt(yy / (xx yy - xy²/4)), and its half height is sqrt(xx / (xx yy - xy²/4)).
+/// The ellipse xx dx² + xy dx dy + yy dy² = 1 is 2 sqrt(yy/d) wide and 2 sqrt(xx/d) high, where d = xx yy − xy²/4.
 std::optional<RenderWindow> window_of(const DiscOutline& o, std::size_t width, std::size_t height) {
   if (width < 2 || height < 2) return std::nullopt;
   const double determinant = o.xx * o.yy - o.xy * o.xy / 4;

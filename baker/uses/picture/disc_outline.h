@@ -32,23 +32,23 @@ double covered_share(const DiscOutline& outline, double x, double y);
 /// Bounding rectangle of an outline, enlarged by one pixel on each side.
 ///
 /// Given     width, height  of the frame
-/// Returned  at least two columns and rows; nothing if the disc is outside the frame
+/// Returned  a rectangle of at least two columns and rows; nothing if the disc is outside the frame
 std::optional<povray_scenes::RenderWindow> window_of(const DiscOutline& outline, std::size_t width,
                                                      std::size_t height);
 
-/// Rectangle that bounds the Moon in the frames of all the cameras.
+/// Rectangle that bounds the Moon in the frames of all the cameras, enlarged by one pixel on each side.
 ///
 /// Given     cameras  with frames of the same width and height
-/// Returned  enlarged by one pixel on each side; nothing if a camera has no disc_outline, or no frame shows the Moon
+/// Returned  nothing if a camera has no disc_outline, or if no frame shows the Moon
 std::optional<povray_scenes::RenderWindow> disc_window(
     std::span<const povray_scenes::SceneCamera> cameras);
 
-/// Converts an outline to a string for a header, without loss of digits, and back; nothing for any other string.
+/// Converts an outline to a string for a header, without loss of digits, and back. Other strings give nothing.
 std::string text_of(const DiscOutline& outline);
 std::optional<DiscOutline> outline_in(std::string_view text);
 
-/// Pixels that the Moon's edge crosses. They hold means of Moon and sky, and clipping these would make the edge jagged.
-/// The pixels are therefore developed with the light of the ground beside them, then mixed with the developed sky.
+/// Pixels that the Moon's edge crosses. Their light is a mixture of Moon and sky, and clipping it would make the edge
+/// jagged. They are therefore developed with the light of the ground beside them, then mixed with the developed sky.
 class LimbPixels {
  public:
   /// Given  disc  if absent, there are no edge pixels
@@ -72,7 +72,7 @@ class LimbPixels {
   struct Pixel {
     std::size_t row, column;
     Place ground;
-    std::optional<Place> sky;  ///< where the sky is read; if absent, it is black
+    std::optional<Place> sky;  ///< pixel that shows the sky; if absent, the sky is black
     double share;
   };
 

@@ -16,13 +16,13 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Distance between the nodes of the sky [pixels]: a quarter of a degree, but at least 4 and at most 64 pixels.
+/// Spacing of the nodes at which the sky is computed [pixels]: a quarter of a degree, but 4 to 64 pixels.
 std::size_t step_of(const povray_scenes::SceneCamera& camera) {
   const double quarter = std::numbers::pi / 720 / pixel_rad_of(camera);
   return static_cast<std::size_t>(std::clamp(quarter, 4., 64.));
 }
 
-/// Raises a direction below the horizon onto the horizon.
+/// Raises a direction to the horizon if it is below the horizon.
 glm::dvec3 not_below(const glm::dvec3& direction) {
   const glm::dvec3 level{direction.x, direction.y, 0};
   return direction.z < 0 && glm::length(level) > 0 ? glm::normalize(level) : direction;

@@ -16,14 +16,14 @@ namespace coppermoon::uses {
 /// Light of the sky in a frame. It comes from air in front of the Moon, so it is added to the Moon as well as to its
 /// surroundings.
 ///
-/// If a luminance is requested, the sky is even and has the white of D65. Otherwise an observer sees that of ClearSky,
-/// interpolated between nodes, and from space the sky is black. Below the horizon it continues as on the horizon.
+/// If a luminance is requested, the sky is uniform and has the colour of D65. Otherwise, the sky over an observer is a
+/// ClearSky, interpolated between nodes, and seen from space it is black. Below the horizon it looks as on the horizon.
 ///
-/// Accuracy  of the interpolation: 1e-3 from 5 degrees of altitude up, 1 % just above the horizon
+/// Accuracy  relative errors of the interpolation are 0.1 % above 5 degrees of altitude, and 1 % near the horizon
 /// Omits     the effect of a spectral response on the sky's colour
 class FrameSky {
  public:
-  /// Given   moon  lights the air; its albedo map may have any size
+  /// Given   moon  the Moon, which lights the air; its albedo map may have any size
   /// Throws  Error  when ClearSky does
   FrameSky(const View& view, const LitMoon& moon);
 

@@ -22,7 +22,7 @@ struct LitScene {
   FrameSky sky;
 };
 
-/// A view for a frame, and what it leaves out, such as a flattening of the disc by less than a quarter of a pixel.
+/// A view for a frame, and the effects that it leaves out, such as flattening of the disc by less than a quarter pixel.
 struct FrameView {
   View view;
   std::vector<std::string> left_out;
@@ -35,7 +35,6 @@ FrameView view_for_frame(const ViewRequest& request, const almanac::SkyState& sk
 /// diameter. With one texel per pixel, texels and pixels are equally large in the middle of the disc.
 MoonRequest fitted(MoonRequest moon, const povray_scenes::SceneCamera& camera);
 
-/// Options for baking a scene's texture.
 struct SceneBaking {
   Baking texture = {};
   algebra::Progress light = {};
@@ -48,8 +47,8 @@ LitScene lit_scene(const MoonRequest& moon, const ViewRequest& view, const alman
 /// The renderer for which a scene's folder is written.
 enum class Renderer { povray, mitsuba };
 
-/// Refuses a folder in which a scene would overwrite a link, a file that coppermoon did not write, or one that was
-/// changed later. The folder need not exist.
+/// Refuses a folder in which a scene would overwrite a link, a file that coppermoon did not write, or a file that was
+/// changed after coppermoon wrote it. The folder need not exist.
 ///
 /// Throws  Error
 void require_scene_folder(const std::filesystem::path& folder, const ViewRequest& view,
@@ -73,12 +72,12 @@ void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene,
                      const std::vector<povray_scenes::SkyLight>& lights = {},
                      Renderer renderer = Renderer::povray);
 
-/// The camera and the moonlight of a view, as a moment of a USD scene.
+/// The camera and the moonlight of a view, as one moment of a USD scene.
 ///
 /// Given  space  colour space of the light
 texture::UsdMoment usd_moment(const LitMoon& moon, const View& view, colour::WorkingSpace space);
 
-/// Luminance of each channel of a colour space.
+/// Luminance of one unit of each channel of a colour space.
 std::array<double, 3> luminance_of_channels(colour::WorkingSpace space);
 
 }  // namespace coppermoon::uses

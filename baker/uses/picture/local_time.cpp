@@ -39,7 +39,7 @@ std::string clock_text(const absl::CivilSecond& time) {
   return fmt::format("{:02}:{:02}:{:02}", time.hour(), time.minute(), time.second());
 }
 
-/// Whether a string has only characters that occur in IANA's zone names. With others, it could be a path to a file.
+/// Whether a string has only characters that occur in IANA's zone names. Any other string could be a path to a file.
 bool is_plain(const std::string& name) {
   return std::ranges::all_of(name, [](unsigned char c) {
     return std::isalnum(c) || c == '_' || c == '-' || c == '+' || c == '/';

@@ -10,21 +10,22 @@ namespace coppermoon::uses {
 
 /// A moment in local time.
 struct LocalTime {
-  std::string date;          ///< "2018-07-27"
-  std::string time;          ///< "23:21:45"
-  std::string abbreviation;  ///< of the zone at that time: "EAT", or "+03" if it has none
+  std::string date;          ///< such as "2018-07-27"
+  std::string time;          ///< such as "23:21:45"
+  std::string abbreviation;  ///< zone's name at that time, such as "EAT" or "+03"
 };
 
-/// Local time of a moment, rounded to the second. After the zone's last known transition its last rule continues.
+/// Local time of a moment, rounded to the second. After the zone's last known transition, its last rule applies.
 /// Before the first transition, local mean time is used.
 ///
 /// Given   zone   a name from IANA's database, such as "Africa/Nairobi", or an offset east of UTC, such as "+05:30"
 /// Throws  Error  when the zone is neither, or the system has no zoneinfo
 LocalTime local_time(const almanac::Instant& when, const std::string& zone);
 
-/// The moment of a local time. If the time occurs twice, it is the earlier moment; if it is skipped, the transition.
+/// The moment at which clocks show a local time: the earlier one if they show it twice. If clocks skip the time, the
+/// moment is that of the transition.
 ///
-/// Given   local  "2018-07-27T23:21:45", in any spelling of almanac::instant_from_utc without an offset
+/// Given   local  such as "2018-07-27T23:21:45", in any form that almanac::instant_from_utc reads, without an offset
 ///         zone   as for local_time
 /// Throws  Error  when `local` has another form, or when local_time does
 almanac::Instant instant_of_local(const std::string& local, const std::string& zone,

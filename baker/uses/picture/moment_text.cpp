@@ -34,7 +34,7 @@ Instant instant_in(const std::string& text, const MomentContext& context) {
 }
 
 /// The last moonrise before P4 and the first moonset after P1, if they occur within a lunar day. Each is moved by up to
-/// a second, so that the Moon is up at the full second.
+/// a second, so that the Moon is still up when the time is rounded to the second.
 std::vector<std::pair<std::string, Instant>> rise_and_set(const eclipse::Eclipse& eclipse,
                                                           const almanac::Observer& place) {
   constexpr double lunar_day_s = 25 * 3600.;

@@ -30,8 +30,8 @@ namespace {
 
 using Names = std::initializer_list<std::string_view>;
 
-/// Values in a photograph's header for the given names. A tag of EXIF, "Exif:ExposureTime", may be in XMP instead, of
-/// which OpenImageIO reads 1 out of "1/30".
+/// Values that a photograph's header has under the given names. An EXIF tag such as "Exif:ExposureTime" may be in XMP
+/// instead, where OpenImageIO would read "1/30" as 1.
 std::vector<std::optional<std::string>> all_in_header(const std::string& photo, Names names) {
   auto values = texture::read_attributes(photo, std::span(names.begin(), names.size()));
   const auto header = photo_header(photo);
@@ -59,7 +59,7 @@ std::optional<double> number_in_header(const std::string& photo, Names names) {
   return std::nullopt;
 }
 
-/// Reads a clock from strings in a header; error messages name the photograph.
+/// Reads a clock from the strings for date and offset in a header. Error messages name the photograph.
 std::optional<HeaderClock> clock_named(const std::string& photo, const std::string& date,
                                        const std::string& offset = {}) try {
   return clock_in(date, offset);
@@ -94,7 +94,7 @@ HeaderClock in_utc(const HeaderClock& clock, std::string scale) {
   static const std::map<std::string, double, std::less<>> behind_tt_s{
       {"TT", 0},       {"TDT", 0},      {"ET", 0},      {"TDB", 0},
       {"TAI", 32.184}, {"IAT", 32.184}, {"GPS", 51.184}};
-  scale = scale.substr(0, scale.find_first_of(" ("));  // "TT(TAI)" is TT as kept by TAI
+  scale = scale.substr(0, scale.find_first_of(" ("));  // "TT(TAI)" is read as "TT"
   if (scale == "LOCAL") return clock;
   if (scale.starts_with("UT") || scale == "GMT") return {clock.local, "+00:00"};
   const auto found = behind_tt_s.find(scale);
@@ -103,17 +103,17 @@ HeaderClock in_utc(const HeaderClock& clock, std::string scale) {
         "its header's TIMESYS = {}, allowed UTC, UT1, GMT, TT, TDB, TAI, GPS, LOCAL", scale));
   const auto shown = almanac::instant_from_utc(clock.local + 'Z');
   auto utc = almanac::utc_text(almanac::later(shown, found->second - almanac::delta_t_s(shown)));
-  utc.pop_back();  // the final Z
+  utc.pop_back();  // drops the final Z
   return {utc, "+00:00"};
 }
 
-/// Whether a photograph's numbers are coded as sRGB by what its file says.
+/// Whether a photograph's numbers are coded as sRGB, according to its file.
 bool is_srgb(const std::string& photo) {
   return !texture::is_raw_file(photo) &&
          texture::read_attribute(photo, "oiio:ColorSpace").value_or("") == "sRGB";
 }
 
-/// The program that a header names as one that made or changed the picture, if it is one of those given in lower case.
+/// The program that made or changed a picture according to its header, if it is one of the given programs (lower case).
 std::optional<std::string> program_of(const std::string& photo,
                                       std::span<const std::string_view> programs) {
   for (const auto& text :
@@ -137,13 +137,13 @@ constexpr std::array<std::string_view, 18> developers{
     "on1 ",        "photoshop", "pixinsight", "rawtherapee",
     "siril",       "ufraw"};
 
-/// Programs that change pictures, or at least write them anew.
+/// Programs that edit pictures, or at least save them again.
 constexpr std::array<std::string_view, 18> editors{
     "autostakkert", "corel",      "faststone",  "imagemagick", "irfanview",     "paint shop",
     "paint.net",    "photomatix", "photoscape", "picasa",      "pixelmator",    "polarr",
     "registax",     "sequator",   "snapseed",   "startools",   "windows photo", "xnview"};
 
-/// ISO speed. EXIF's first tag for it has only 16 bits. If it holds 65535, another tag gives the true, faster speed.
+/// ISO speed. The usual EXIF tag has only 16 bits. If it holds 65535, the true, higher speed is in another tag.
 std::optional<double> iso_of(const std::string& photo) {
   constexpr double most = 65535;
   const auto iso =
@@ -153,15 +153,15 @@ std::optional<double> iso_of(const std::string& photo) {
   return faster ? faster : iso;
 }
 
-/// The APEX value that a header has under a name.
+/// The APEX value under the given name in a photograph's header.
 std::optional<double> apex_of(const std::string& photo, std::string_view name) {
   const auto stops = first_number(text_in_header(photo, {name}).value_or(""));
-  constexpr double most = 40;  // cameras without a lens write 2³¹
+  constexpr double most = 40;  // [stops]; cameras without a lens write 2³¹
   return stops && std::abs(*stops) < most ? stops : std::nullopt;
 }
 
-/// The real exposure time. It follows from the header's APEX value if that agrees with the time shown, otherwise from
-/// the time shown alone. Canon writes a third of a stop as 3/8, and two thirds as 5/8.
+/// The real exposure time. It follows from the header's APEX value if that agrees with the nominal time, otherwise from
+/// the nominal time alone. In APEX values, Canon writes a third of a stop as 3/8, and two thirds as 5/8.
 ///
 /// Source  ExifTool, lib/Image/ExifTool/Canon.pm: CanonEv
 double real_time_s(const std::string& photo, double shown_s) {
@@ -289,7 +289,8 @@ std::optional<HeaderClock> gps_clock_of(const std::string& photo) try {
   text >> parts[0] >> parts[1] >> parts[2];
   const auto hour = first_number(parts[0]), minute = first_number(parts[1]),
              second = first_number(parts[2]);
-  if (!hour || !minute || !second) return clock_in(told[1].value_or(""), "Z");  // as in XMP
+  // XMP has date and time in one string.
+  if (!hour || !minute || !second) return clock_in(told[1].value_or(""), "Z");
   return clock_in(fmt::format("{} {:02.0f}:{:02.0f}:{:02.0f}", told[0].value_or(""), *hour, *minute,
                               std::floor(*second)),
                   "Z");

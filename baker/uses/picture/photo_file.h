@@ -15,14 +15,14 @@ namespace coppermoon::uses {
 /// Exposure settings in a photograph's header.
 struct CameraSettings {
   std::optional<double> time_s{}, f_number{}, iso{};
-  std::optional<std::string> gain{};  ///< FITS's GAIN, in whatever unit the camera uses
+  std::optional<std::string> gain{};  ///< GAIN of a FITS file, in the camera's unit
 };
 
-/// Exposure settings in a photograph's header. APEX values (EXIF 2.32, annex C) are read if there are no others. A time
-/// that a camera rounds is replaced by the one it really uses (colour::real_time_s); times in FITS are exact.
+/// Exposure settings in a photograph's header. APEX values (EXIF 2.32, annex C) are used if there are no others. A time
+/// that the camera rounded is replaced by the real one (colour::real_time_s). Times in FITS files are exact.
 CameraSettings settings_of(const std::string& photo);
 
-/// Maker and model of the camera that took a photograph, in one line, or FITS's INSTRUME; nothing if it has neither.
+/// Maker and model of the camera that took a photograph, or INSTRUME in a FITS file; nothing if the header lacks them.
 std::optional<std::string> camera_of(const std::string& photo);
 
 /// Whether the user set the white balance, so that the camera does not change it from one photograph to the next.
@@ -31,49 +31,49 @@ bool white_balance_is_fixed(const std::string& photo);
 /// Reading of a camera's clock.
 struct HeaderClock {
   std::string local;                  ///< "2018-07-27T23:40:12", in the clock's own zone
-  std::optional<std::string> offset;  ///< of that zone, such as "+03:00"; absent if unknown
+  std::optional<std::string> offset;  ///< offset from UTC, such as "+03:00"; absent if unknown
   std::string unread{};               ///< the header's text for the offset, if it is not valid
   bool operator==(const HeaderClock&) const = default;
 };
 
-/// A clock's reading in seconds on a uniform scale, as if in UTC where its zone is unknown.
+/// A clock's reading in seconds on a uniform time scale. If the clock's zone is unknown, UTC is assumed.
 double seconds_at(const HeaderClock& clock);
 
 /// Reads a header's date and zone, as EXIF defines them or as cameras write them.
 ///
 /// A date is "2019:01:21 05:12:16". It may have - or / between its numbers, a T before the time, no seconds, or a zone
 /// at its end. "24:12:16", from a clock that counts hours from 1 to 24, is in the first hour of that day. A zone is
-/// "+03:00", "-5:00", "+0300", "Z", "UTC" or "GMT", up to 15 h 59 min. If it consists of blanks and colons, the zone is
-/// unknown. The same holds for any other text, which is kept in `unread`.
+/// "+03:00", "-5:00", "+0300", "Z", "UTC" or "GMT", up to 15 h 59 min. If the text for the zone is blanks and colons,
+/// the zone is unknown. It is also unknown for any other text, which is kept in `unread`.
 ///
 /// Returned  nothing if the date has only blanks or zeros, because the camera's clock was not set
-/// Throws    Error  when the date is anything else
+/// Throws    Error  when the date has any other form
 std::optional<HeaderClock> clock_in(const std::string& date, const std::string& offset = {});
 
-/// When a photograph was taken, by the camera's clock. The date in a FITS file is in UTC, or is converted from the time
-/// scale that TIMESYS names. If that is LOCAL, the zone is unknown.
+/// When a photograph was taken, by the camera's clock. The date in a FITS file is in UTC, or is converted to UTC from
+/// the time scale that TIMESYS names. If TIMESYS is LOCAL, the zone is unknown.
 ///
 /// Throws  Error  with the photograph's name, when the header has no date or an unknown TIMESYS, or clock_in throws
 /// Source  FITS Standard 4.0 (2018), 9.2.1
 HeaderClock clock_of(const std::string& photo);
 
-/// When a photograph was taken, by the satellites of GPS, in UTC; nothing if its header does not say. A receiver that
-/// has lost the satellites may repeat an earlier time.
+/// When a photograph was taken, in UTC, from the GPS data in its header; nothing if there are none. A receiver that has
+/// lost the satellites may repeat an earlier time.
 std::optional<HeaderClock> gps_clock_of(const std::string& photo);
 
-/// The program that developed a camera's photograph into sRGB, if its header names one (EXIF's Software, XMP's
-/// CreatorTool and history, settings of Camera Raw that are applied): the numbers are then the program's, not the
-/// camera's own. Nothing for any other photograph.
+/// The program that developed a camera's photograph into sRGB, if the header names one (in EXIF's Software, in XMP's
+/// CreatorTool or history, or by applied settings of Camera Raw); otherwise nothing. The photograph then has the
+/// program's tone curve, not the camera's.
 std::optional<std::string> developer_of(const std::string& photo);
 
-/// The program that a header names as having developed, edited or only saved a picture of whole numbers, whether it
-/// names a camera or not: no known tone curve leads from such numbers to light. Nothing for raw
+/// The program that developed, edited or merely saved a picture of whole numbers, if the header names one, with or
+/// without a camera. Such numbers cannot be converted to light, because their tone curve is unknown. Nothing for raw
 /// files and for files that cannot be read.
 std::optional<std::string> editor_of(const std::string& photo);
 
-/// Coding of a photograph's numbers, as requested. If the request leaves it to the file, it is the camera's tone
-/// curve, provided that the header names a camera and the numbers are coded as sRGB. The rule does not apply to raw
-/// files, which are linear, or to photographs that a program has developed (developer_of).
+/// The coding of a photograph's numbers, as requested. If the request leaves the coding to the file, it is the camera's
+/// tone curve, provided that the header names a camera and the numbers are coded as sRGB. The rule does not apply to
+/// raw files, which are linear, or to photographs that a program has developed (developer_of).
 texture::Coding coding_of(const std::string& photo, texture::Coding told);
 
 /// Whether a photograph's numbers are coded as sRGB, and not by its camera's own tone curve.
@@ -85,11 +85,11 @@ std::optional<colour::Exposure> exif_of(const std::string& photo);
 /// Number at which a photograph is clipped, both as stored in its file and as light on the scale of photo_light.
 struct ClippedAt {
   double number = 1, light = 1;
-  bool of_header = false;  ///< from FITS's DATAMAX; otherwise the photograph's greatest number
+  bool of_header = false;  ///< whether the number is from DATAMAX, not the greatest number found
 };
 
-/// Number at which a photograph in a FITS file is clipped: DATAMAX or, if absent, the greatest number in its light if
-/// that exceeds 1, because sensors differ in how far they count. Nothing for other files, or if no light exceeds 1.
+/// Number at which a photograph in a FITS file is clipped: DATAMAX or, if that is absent, the greatest number in the
+/// photograph, because sensors saturate at different numbers. Nothing for other files, or if no number exceeds 1.
 std::optional<ClippedAt> clipped_at(const std::string& photo, const texture::Image& light);
 
 /// Light of a photograph, read with texture::read_light. If the response is spectral (colour::camera_spectra), a raw

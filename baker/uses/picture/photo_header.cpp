@@ -10,7 +10,7 @@
 namespace coppermoon::uses {
 
 PhotoHeader photo_header(const std::string& photo) try {
-  static std::mutex one_at_a_time;  // Exiv2 sets up its reader of XMP when it is first used
+  static std::mutex one_at_a_time;  // Exiv2's XMP parser is not thread-safe at first use
   const std::scoped_lock lock(one_at_a_time);
   Exiv2::LogMsg::setLevel(Exiv2::LogMsg::mute);
   const auto image = Exiv2::ImageFactory::open(photo);
@@ -26,11 +26,11 @@ PhotoHeader photo_header(const std::string& photo) try {
   }
   for (const auto& one : image->xmpData()) {
     const auto key =
-        one.key();  // "Xmp.exif.ExposureTime", "Xmp.xmpMM.History[1]/stEvt:softwareAgent"
+        one.key();  // such as "Xmp.exif.ExposureTime", "Xmp.xmpMM.History[1]/stEvt:softwareAgent"
     header.emplace(key.substr(key.find_last_of(".:") + 1), one.toString());
   }
   return header;
-} catch (const std::exception&) {  // a file without a header that can be read
+} catch (const std::exception&) {  // the file has no readable header
   return {};
 }
 

@@ -8,11 +8,11 @@
 
 namespace coppermoon::uses {
 
-/// Strings in a photograph's EXIF and XMP, by the name of the tag, such as {"ExposureTime", "1/30"}. If both have a
-/// tag, the string is EXIF's. A list has blanks or commas between its values. Of the maker's notes it has Nikon's
-/// WB_RBLevels and Canon's ColorData.
+/// Strings from a photograph's EXIF and XMP, by the name of the tag, such as {"ExposureTime", "1/30"}. If both have a
+/// tag, EXIF's string is used. Lists have blanks or commas between their values. From the maker notes, only Nikon's
+/// WB_RBLevels and Canon's ColorData are included.
 ///
-/// Returned  empty for a file that has neither, or is of a kind that has none (OpenEXR, FITS)
+/// Returned  empty for a file without EXIF and XMP, or in a format that has neither (OpenEXR, FITS)
 using PhotoHeader = std::map<std::string, std::string, std::less<>>;
 PhotoHeader photo_header(const std::string& photo);
 

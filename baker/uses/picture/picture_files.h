@@ -20,15 +20,14 @@ struct ShownPicture {
 
 /// Format of a developed picture.
 struct PictureFile : files::Ending {
-  bool high_range;  ///< for screens of high dynamic range
+  bool high_range;  ///< whether it is for screens of high dynamic range
   void (*write)(const std::filesystem::path& file, const ShownPicture& picture);
 };
 
-/// All formats for developed pictures.
 std::span<const PictureFile> picture_files();
 
-/// Writes a picture of high dynamic range as .avif: 12 bits, Rec.2020 primaries and PQ (SMPTE ST 2084), which is
-/// 9/16/9 in the numbers of ITU-T H.273. The file appears whole or not at all.
+/// Writes a picture of high dynamic range as .avif with 12 bits, Rec.2020 primaries and PQ (SMPTE ST 2084). Its code
+/// points in ITU-T H.273 are 9/16/9. The file appears whole or not at all.
 ///
 /// Given     picture     channels R, G, B, already coded as PQ, 0 to 1
 /// Accuracy  the encoder changes light by less than 2 % in 95 % of pixels

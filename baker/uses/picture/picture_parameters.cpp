@@ -22,7 +22,7 @@ constexpr const char *view_heading = "Who looks, and through what",
 
 constexpr const char* whole_moon = "moon";
 
-/// Reads a field of view [degrees]; nothing for "moon", which leaves it to the lens that is set or to the Moon's size.
+/// Reads a field of view [degrees]. Nothing for "moon": then the lens settings or the Moon's size determine the field.
 std::optional<double> field_from(const std::string& text) {
   if (text == whole_moon) return std::nullopt;
   const auto degrees = algebra::number_in(text);
@@ -279,7 +279,7 @@ void describe(Parameters& is, CameraRequest& camera) {
   describe_optics(is, camera);
   describe_sensor(is, camera);
   describe_response(is, camera.response);
-  // Only these settings need a rule. Without a camera, camera_of refuses all the others.
+  // Only the settings below need a rule here. Without a camera, camera_of refuses all the others.
   is.find("glow")->only_with({{"camera"}}, {"auto"});
   is.find("noise-seed")->only_with({{"camera"}});
   is.find("response")->only_with({{"camera"}}, {"colorimetric"});

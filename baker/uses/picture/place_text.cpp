@@ -20,7 +20,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Removes a number and the mark after it (one of those given) from the front of a string, and returns the number.
+/// Removes a number and the mark after it (one of the given marks) from the front of a string. Returns the number.
 std::optional<double> take_marked(std::string_view& text,
                                   std::initializer_list<std::string_view> marks) {
   for (const auto mark : marks) {

@@ -51,7 +51,7 @@ std::vector<PlotCurve> curves(const ShadowProfile& profile) {
   return curves;
 }
 
-/// A curve for gnuplot: rows of the hour and the number at each moment. An empty row interrupts the line.
+/// A curve's rows for gnuplot: the hour and the number at each moment. An empty row leaves a gap in the line.
 std::string rows_of(const LightCurve& curve, const eclipse::Eclipse& eclipse,
                     const std::vector<double>& numbers) {
   std::string rows;

@@ -16,14 +16,14 @@ namespace coppermoon::uses {
 /// Title and marks of a plot of the shadow.
 struct ShadowMarks {
   std::string title;
-  double umbra_m, penumbra_m;         ///< radii; the umbra's is ≤ 0 beyond the tip of its cone
+  double umbra_m, penumbra_m;         ///< radii of the shadow; umbra_m ≤ 0 beyond the umbra's tip
   std::optional<double> moon_m = {};  ///< distance of the Moon's centre from the axis
 };
 
-/// The radii of umbra and penumbra, and the Moon's distance from the axis of the shadow.
+/// The marks in a plot of the shadow: the radii of umbra and penumbra, and the Moon's distance from the shadow's axis.
 ///
 /// Given  cut  one plane across the shadow
-///        sky  at the moment of the plot; if absent, the Moon is not marked
+///        sky  the sky at the moment of the plot; if absent, the Moon is not marked
 /// Source of the radii  eclipse::shadow_radii, Danjon's convention
 ShadowMarks marks_of(const shadow::Arrangement& cut, const std::optional<almanac::SkyState>& sky,
                      std::string title);
@@ -44,7 +44,7 @@ std::string plot_colour(double wavelength_nm);
 
 double hours_from_greatest(const eclipse::Eclipse& eclipse, const almanac::Instant& when);
 
-/// A plot against the hours from greatest eclipse, with the contacts marked. Its panels have yet to be added.
+/// A plot over time, in hours from greatest eclipse, with the contacts marked. The caller adds the panels.
 Plot plot_over(const eclipse::Eclipse& eclipse, const almanac::Instant& from,
                const almanac::Instant& to);
 

@@ -27,7 +27,7 @@ namespace {
 
 /// A cone of directions, given by its axis and the cosine of the angle between axis and edge.
 struct Cone {
-  glm::dvec3 middle;  ///< unit vector, GCRS axes
+  glm::dvec3 middle;  ///< axis, a unit vector in the GCRS
   double cosine;
 
   bool holds(const glm::dvec3& direction) const { return glm::dot(direction, middle) >= cosine; }
@@ -81,7 +81,7 @@ std::vector<Source> in_points(const Source& source) {
   return all;
 }
 
-/// The sky over an observer.
+/// The sky over an observer: the places of stars and planets in it, and their light as dimmed by the air.
 class Dome {
  public:
   Dome(const View& view, const almanac::SkyState& sky)
@@ -111,7 +111,7 @@ class Dome {
     return algebra::in_radians(atmosphere::apparent_altitude(stands) - stands);
   }
 
-  /// Moves a direction towards the zenith by its refraction. lowered_as moves one down by the refraction of another.
+  /// Raises a direction by its own refraction. lowered_as lowers a direction by the refraction of another direction.
   glm::dvec3 raised(const glm::dvec3& direction) const {
     return turned(direction, direction, lift_rad(direction));
   }
@@ -199,7 +199,7 @@ struct Spread {
 };
 
 Spread spread_about(double place) {
-  constexpr double deviation_px = 0.6, reach_px = 4;  // 3e-11 of the light falls beyond it
+  constexpr double deviation_px = 0.6, reach_px = 4;  // 3e-11 of the light falls outside
   const auto below = [&](double edge) {
     return 0.5 * std::erfc(-(edge - place) / (deviation_px * std::numbers::sqrt2));
   };

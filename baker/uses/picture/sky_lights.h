@@ -22,10 +22,10 @@ using povray_scenes::SkyLight;
 
 /// Stars and planets in front of a view's camera, except those that the Moon or the ground hides.
 ///
-/// A frame shows the Moon at its place without air, so each star or planet is moved by its own refraction less the
+/// A frame shows the Moon at its place without air, so each star or planet is moved by its own refraction minus the
 /// Moon's. A planet is a disc of points, some of which the Moon may hide.
 ///
-/// Returned  none if the view is to be without stars
+/// Returned  an empty list if the view is to be without stars
 /// Accuracy  places 0.1″ for stars and planets; times of occultations some seconds, because the Moon has mountains
 /// Omits     stars fainter than V = 9; the variability of stars; phases of planets and Saturn's rings
 /// Throws    Error  when a catalogue is damaged
@@ -39,12 +39,12 @@ std::vector<SkyLight> scene_lights(const View& view, const almanac::SkyState& sk
 ///
 /// Given     frame   scene-linear, linear Rec.709 [cd/m²], of the camera's size
 /// Returned  numbers rounded to half floats, as in a frame's file, if they are below 65504
-/// Accuracy  luminance summed over solid angle gives the illuminance to 5e-4, except for light outside the frame
+/// Accuracy  luminance summed over solid angle gives the illuminance to within 5e-4, except for light outside the frame
 void add_lights(texture::Image& frame, const povray_scenes::SceneCamera& camera,
                 std::span<const SkyLight> lights);
 
-/// All stars and planets above a view's horizon, brightest first, including those that the Moon hides. They are as
-/// faint as V = 6.5, unless the view sets another limit.
+/// All stars and planets above a view's horizon, brightest first, including those that the Moon hides. The faintest
+/// have V = 6.5, unless the view sets another limit.
 ///
 /// Given  view  must have an observer
 /// Throws Error when a catalogue is damaged
@@ -61,7 +61,7 @@ double star_temperature_k(double b_minus_v);
 /// Computes the light of stars, above an observer's air or through it.
 class StarLights {
  public:
-  /// Given  air       if absent, the light is that above the air
+  /// Given  air       air over the observer; if absent, the light is that above the air
   ///        response  as in colour::channel_weights
   explicit StarLights(const std::optional<atmosphere::ObserverAir>& air = {},
                       const std::string& response = {});
@@ -78,7 +78,7 @@ class StarLights {
 
  private:
   algebra::Grid<double> channels_;                  ///< weights, [channel][band]
-  std::vector<atmosphere::VerticalDepths> depths_;  ///< [band]; if empty, there is no air
+  std::vector<atmosphere::VerticalDepths> depths_;  ///< [band]; empty if there is no air
 };
 
 }  // namespace coppermoon::uses

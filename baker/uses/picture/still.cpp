@@ -43,7 +43,7 @@ Image with_alpha(const Image& colour, const Image& moon) {
   return image;
 }
 
-/// Clears alpha outside the window that was rendered, where POV-Ray writes 1.
+/// Sets alpha to 0 outside the window that was rendered, because POV-Ray writes 1 there.
 void clear_beside(Image& moon, const std::optional<povray_scenes::RenderWindow>& window) {
   for (std::size_t r = 0; window && r < moon.height; ++r)
     for (std::size_t c = 0; c < moon.width; ++c)
@@ -134,7 +134,7 @@ LinearFrame completed(Image rendered, const View& view, const almanac::SkyState&
 LinearFrame rendered(const LitScene& scene, bool passes, const algebra::Progress& progress) {
   const files::TemporaryFolder folder;
   std::vector<SkyLight> lights;
-  tbb::task_group beside;  // finds the stars while POV-Ray starts, which needs no CPU
+  tbb::task_group beside;  // finds the stars while POV-Ray starts, which uses no CPU
   beside.run([&] { lights = sky_lights(scene.view, scene.moon.sky); });
   constexpr const char* texture_file = "moon_lin_rec709.exr";
   texture::write_exr(folder.path() / texture_file, scene.texture.parts, scene.texture.attributes,

@@ -12,12 +12,12 @@ namespace coppermoon::uses {
 
 /// Scene-linear frame [cd/m²].
 struct LinearFrame {
-  texture::Image light;  ///< R, G, B: Moon and stars, and, unless there are passes, the sky
-  /// R, G, B, A: the Moon without stars. A is the share of the pixel in which it is seen, and its colours are already
+  texture::Image light;  ///< R, G, B: Moon and stars; without passes, also the sky
+  /// R, G, B, A: the Moon without stars. A is the share of a pixel in which the Moon is seen. The colours are already
   /// multiplied by A. Empty unless passes are requested.
   texture::Image moon = {};
   texture::Image sky =
-      {};  ///< R, G, B: with passes, the sky's light in front of and around the Moon; else empty
+      {};  ///< R, G, B: the sky's light, in front of and around the Moon; empty without passes
 
   /// Moon, stars and sky together.
   texture::Image whole() const;
@@ -27,7 +27,7 @@ struct LinearFrame {
 /// horizon.
 ///
 /// Given     rendered  with a channel A if passes are requested
-/// Returned  without passes, numbers rounded to half floats
+/// Returned  if passes are not requested, the numbers are rounded to half floats
 LinearFrame completed(texture::Image rendered, const View& view, const almanac::SkyState& sky,
                       std::span<const SkyLight> lights, const FrameSky& air);
 
@@ -38,8 +38,8 @@ LinearFrame completed(texture::Image rendered, const View& view, const almanac::
 LinearFrame rendered(const LitScene& scene, bool passes = false,
                      const algebra::Progress& progress = {});
 
-/// Memory that a frame takes while it is rendered and developed [bytes]: 75 per pixel, measured at 3000 x 3000, and
-/// 128 more with a camera, for its glow.
+/// Memory that a frame takes while it is rendered and developed [bytes]: 75 per pixel, measured at 3000 x 3000 pixels,
+/// and 128 more per pixel with a camera, for its glow.
 double frame_memory(std::size_t width, std::size_t height, bool through_camera = false);
 
 /// Converts a frame to another working space.
@@ -53,8 +53,8 @@ texture::Attributes frame_header(const LitScene& scene, const Exposures& exposur
 /// With passes, the file has these parts:
 ///
 ///     rgba      R, G, B, A: the frame. A is the share of the pixel that the Moon covers, and the Moon's colours are
-///               already multiplied by A; floats if there is a sky
-///     moon      moon.R, moon.G, moon.B, moon.A: the same, without sky and stars
+///               already multiplied by A; stored as floats if there is a sky
+///     moon      moon.R, moon.G, moon.B, moon.A: the frame without sky and stars
 ///     sky       sky.R, sky.G, sky.B, floats: the sky's light; left out if the sky is black
 ///     stars     stars.R, stars.G, stars.B, floats: rgba is exactly moon + sky + stars, added as floats in this order
 ///     position  position.X, position.Y, position.Z, floats: point of the Moon in the pixel's middle, Moon-fixed (X to

@@ -16,14 +16,14 @@ namespace coppermoon::uses {
 std::string recipe_of_light(const LitMoon& moon, bool with_width,
                             const std::function<void(request::Parameters&)>& more);
 
-/// The recipe with which a Moon was requested. The work planned for its light is added if there is a shadow on it.
+/// The recipe by which a Moon was requested. If the Moon is in shadow, the settings planned for its light are added.
 request::Recipe recipe_made(const request::Recipe& asked, const LitMoon& moon);
 
 /// The recipe with the width of a texture added [texels].
 request::Recipe with_width(const request::Recipe& recipe, std::size_t width);
 
-/// Recipe, in TOML, with which `coppermoon bake --recipe` bakes the same texels again. It lists every setting of the
-/// planned work, so the texels are the same on any machine.
+/// Recipe, in TOML, with which `coppermoon bake --recipe` bakes the same texels again. It lists every setting that was
+/// planned, so the texels are the same on any machine.
 ///
 /// Omits  the contents of the map (MoonRequest::albedo_map), which is only named (files::name_to_share)
 std::string texture_recipe(const LitMoon& moon, const TextureContent& content);

@@ -53,8 +53,8 @@ double flattening_of(const almanac::ObserverView& seen) {
   return atmosphere::refracted_flattening(altitude_in_air(seen), 2 * semidiameter(seen));
 }
 
-/// Field across the frame: as given, or else such that the shorter side spans 0.6 degrees. The largest possible Moon,
-/// at its nearest and in the zenith, is 0.57 degrees wide.
+/// Field across the frame: as given or, by default, wide enough for the shorter side to span 0.6 degrees. The largest
+/// possible Moon, at its nearest and in the zenith, is 0.57 degrees wide.
 algebra::Angle field_of(const ViewRequest& request) {
   if (request.field_deg) return algebra::degrees(*request.field_deg);
   if (request.focal_length_mm || request.sensor_width_mm) {
@@ -77,7 +77,7 @@ using almanac::Instant;
 
 constexpr double step_s = 1800;
 
-/// Height of the Moon's upper limb above the horizon [rad]. Far from the horizon, the quicker lunar theory is used.
+/// Height of the Moon's upper limb above the horizon [rad]. Far from the horizon, a quicker lunar theory is used.
 double height(const almanac::Observer& place, const Instant& when) {
   constexpr double far = 0.02;  // [rad]; in 2000 BC the theories differ by a third of this
   using enum almanac::LunarTheory;
@@ -88,7 +88,7 @@ double height(const almanac::Observer& place, const Instant& when) {
   return std::abs(quick) > far ? quick : by(elp_2000_82b);
 }
 
-/// The moonrise or moonset within an interval, when the height is zero. The moment is found to 0.02 s by bisection.
+/// The moonrise or moonset within an interval: the moment of height 0, found to within 0.02 s by bisection.
 Crossing crossing(const almanac::Observer& place, Instant from, double seconds) {
   const bool up = height(place, from) > 0;
   while (seconds > 0.02) {
@@ -99,11 +99,11 @@ Crossing crossing(const almanac::Observer& place, Instant from, double seconds) 
   return {from, !up};
 }
 
-/// Times [s from the first moment] and heights [rad]: every half hour, and at extremes so near the horizon that both a
-/// rise and a set may lie within one step.
+/// Times [s from the first moment] and the Moon's heights [rad]: every half hour, and at extremes so near the horizon
+/// that both a rise and a set may lie within one step.
 std::vector<std::pair<double, double>> heights(const almanac::Observer& place, const Instant& from,
                                                double seconds) {
-  constexpr double grazing = 3e-3;  // samples miss an extreme by at most (2π / day · step / 2)² / 2
+  constexpr double grazing = 3e-3;  // [rad]; half-hourly samples can miss an extreme by 2.1e-3
   const auto steps = static_cast<int>(std::ceil(seconds / step_s));
   const double step = seconds / steps;
   const auto at = [&](double s) { return std::pair{s, height(place, almanac::later(from, s))}; };

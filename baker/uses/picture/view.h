@@ -33,7 +33,7 @@ struct ViewRequest {
   std::optional<double> field_deg{};        ///< angle across the frame, instead of the two lengths
   std::size_t width = 1500, height = 1000;  ///< of the frame [pixels]
   povray_scenes::Up up = povray_scenes::Up::celestial_north;
-  bool reddening = true, flattening = true;  ///< effects of the observer's air
+  bool reddening = true, flattening = true;  ///< whether the air has these effects
   double observer_ozone_du = 300, observer_aerosol = 0.1;
   /// The apparent place at which a camera on a tripod points. If absent, the Moon is in the middle of the picture.
   std::optional<povray_scenes::HorizonPlace> aim = {};
@@ -48,10 +48,10 @@ struct View {
   std::optional<almanac::Observer> observer;
   std::optional<atmosphere::Sightline> sightline;  ///< through the air that reddens the Moon
   StarRequest stars = {};
-  bool refracted = false;  ///< the observer's air flattens the Moon's disc and moves the stars
+  bool refracted = false;  ///< whether the air flattens the Moon's disc and moves the stars
   atmosphere::ObserverAir air = {};      ///< air over the observer, the source of the sky's light
-  std::optional<double> sky_cd_m2 = {};  ///< as in the request
-  std::string response = {};  ///< gives stars their colours, as in colour::channel_weights
+  std::optional<double> sky_cd_m2 = {};  ///< luminance of an even sky, as in ViewRequest
+  std::string response = {};  ///< response for the stars' colours, as in colour::channel_weights
 };
 
 /// Text for a place on Earth: "42.86,-73.77" [degrees], followed by its elevation if it has one [m].
@@ -70,7 +70,7 @@ povray_scenes::HorizonPlace apparent_place(const almanac::Observer& observer,
 /// Source  Explanatory Supplement to the Ephemeris (1961), on rising and setting: 34′, and 1.17′ √(H / ft)
 algebra::Angle horizon_altitude(const almanac::Observer& observer);
 
-/// Altitude of the Moon's upper limb above a place's horizon. If it is negative, nothing of the Moon is seen.
+/// Altitude of the Moon's upper limb above a place's horizon. If it is negative, the whole Moon is below the horizon.
 algebra::Angle above_horizon(const almanac::Observer& observer, const almanac::SkyState& sky);
 
 /// Whether any of the Moon is above the observer's horizon; true without an observer.
@@ -83,7 +83,7 @@ bool moon_is_up(const ViewRequest& request, const almanac::SkyState& sky);
 /// Returned  the axes as columns, in Moon-fixed coordinates
 glm::dmat3 axes_as_seen(const View& view, const almanac::SkyState& sky);
 
-/// Removes from a frame what the horizon hides: each pixel is dimmed by its share below the horizon.
+/// Removes from a frame what lies below the horizon: each pixel is dimmed by its share below the horizon.
 ///
 /// Given  frame  as the view's camera sees it; nothing is hidden from a camera in space
 void hide_below_horizon(texture::Image& frame, const View& view, const almanac::SkyState& sky);
@@ -93,7 +93,7 @@ void hide_below_horizon(texture::Image& frame, const View& view, const almanac::
 /// Throws  Error  when one of its quantities is out of range
 atmosphere::ObserverAir air_over(const almanac::Observer& observer, const ViewRequest& request);
 
-/// Throws Error when the Moon is wholly below the observer's horizon (the error says by how much), or when the
+/// Throws Error when the whole Moon is below the observer's horizon (the message states by how much), or when the
 ///        observer's air is out of range
 View view_of(const ViewRequest& request, const almanac::SkyState& sky);
 

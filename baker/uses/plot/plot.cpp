@@ -38,7 +38,7 @@ constexpr std::array formats_of_plots{PlotFile{{".png", "plot"}, png_terminal},
                                       PlotFile{{".svg", "plot"}, svg_terminal},
                                       PlotFile{{".pdf", "plot"}, pdf_terminal}};
 
-/// Gnuplot commands that set up the axis `x` or `y`. Its tics are left unnumbered if the panel below shows the numbers.
+/// Gnuplot commands that set up the axis `x` or `y`. Its tics have no numbers if the panel below shows them.
 std::string axis(char name, const PlotAxis& axis, bool numbered = true) {
   std::string script =
       fmt::format("set {0}label {1}\n{2} logscale {0}\n", name, literal(numbered ? axis.label : ""),
@@ -118,7 +118,8 @@ void require_plot_ending(const std::filesystem::path& file, std::string_view wha
   files::format_of(file, allowed, what);
 }
 
-/// With -d, gnuplot ignores ~/.gnuplot. File names are kept out of the script, where they could be read as commands.
+/// Runs gnuplot with -d, so that it ignores ~/.gnuplot. File names are kept out of the script, where they could be read
+/// as commands.
 void write_plot(const std::filesystem::path& file, const Plot& plot) {
   const auto& format = files::format_of(file, formats_of_plots, "a plot");
   const files::TemporaryFolder folder;

@@ -15,13 +15,13 @@ namespace coppermoon::uses {
 
 struct PlotAxis {
   std::string label{};
-  std::optional<std::pair<double, double>> range{};  ///< if absent, chosen to fit the curves
+  std::optional<std::pair<double, double>> range{};  ///< if absent, fitted to the curves
   bool logarithmic = false, reversed = false;
-  double tic_spacing = 0;  ///< if 0, gnuplot chooses it
+  double tic_spacing = 0;  ///< if 0, chosen by gnuplot
   std::string unit{};      ///< written after the number at each tic
 };
 
-/// Data drawn in one style. A curve without rows appears only in the key, and one without a title only in the plot.
+/// Data drawn in one style. A curve without rows appears only in the key. A curve without a title is not in the key.
 struct PlotCurve {
   std::string rows;  ///< comma-separated columns; an empty row leaves a gap in the line
   std::string look;  ///< gnuplot style such as "lines lw 2 lc rgb 'red'"
@@ -52,28 +52,27 @@ struct Plot {
   PlotAxis x{};                     ///< shared by all panels
   std::vector<PlotPanel> panels{};  ///< one panel, or two stacked vertically
   std::vector<PlotMark> marks{};
-  std::string key = "off";      ///< position in gnuplot's notation, such as "top left"
-  std::string grid = "lt 0";    ///< line style in gnuplot's notation; "lt 0" is dotted
+  std::string key = "off";      ///< position of the key, in gnuplot's words, such as "top left"
+  std::string grid = "lt 0";    ///< line style of the grid, in gnuplot's words; "lt 0" is dotted
   double margin = 0;            ///< space around the curves, as a fraction of the plot
-  double height_per_width = 0;  ///< aspect ratio of a panel; 0 fills the space
+  double height_per_width = 0;  ///< aspect ratio of a panel; if 0, the panel fills the space
 };
 
 struct PlotFile : files::Ending {
   std::string (*terminal)(const Plot& plot);  ///< returns gnuplot's terminal and its settings
 };
 
-/// All file formats for plots.
 std::span<const PlotFile> plot_files();
 
 /// Draws a plot with gnuplot. If drawing fails, no partial file is left behind.
 ///
-/// Given   file   its ending is one of those in plot_files()
-/// Throws  Error  if the ending is another, or if gnuplot is missing or fails
+/// Given   file   a file whose ending is one of those in plot_files()
+/// Throws  Error  if the file has another ending, or if gnuplot is missing or fails
 void write_plot(const std::filesystem::path& file, const Plot& plot);
 
 /// Checks that a file name has the ending of a plot or, if tables are allowed, of a table.
 ///
-/// Given   what   what will be written, for the message, such as "a curve"
+/// Given   what   name, for the message, of what will be written, such as "a curve"
 /// Throws  Error  unless the ending is one of those in plot_files() or, with `or_table`, is .csv
 void require_plot_ending(const std::filesystem::path& file, std::string_view what, bool or_table);
 

@@ -118,7 +118,7 @@ EclipseShader eclipse_shader(const eclipse::Eclipse& eclipse, const ShaderReques
   shader.eclipse.greatest = almanac::instant_from_utc(almanac::utc_text(eclipse.greatest));
   shader.motion = moment ? held_at(*moment) : shadow_motion(shader.eclipse);
   const double radius_km = algebra::in_kilometres(almanac::lunar_radius);
-  // from the near side to the centre, because sunlight never reaches the Moon's far half
+  // depths from the Moon's near side to its centre, because sunlight never reaches the far half
   const double from = shader.motion.nearest - (moment ? 0.5 : 1),
                to = shader.motion.farthest - (moment ? 0.5 : 0);
   shader.strip = light_strip(request, almanac::sky_at(moment.value_or(shader.eclipse.greatest)),

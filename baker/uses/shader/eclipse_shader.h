@@ -15,7 +15,7 @@ namespace coppermoon::uses {
 
 /// Data for an eclipse's shader: a small image of the light in the shadow, and the formula that reads the image.
 struct EclipseShader {
-  eclipse::Eclipse eclipse;                ///< with greatest eclipse at a whole second
+  eclipse::Eclipse eclipse;                ///< its greatest eclipse is rounded to a second
   std::optional<almanac::Instant> moment;  ///< moment shown; if absent, the whole eclipse
   ShadowMotion motion;
   LightStrip strip;
@@ -25,10 +25,10 @@ struct EclipseShader {
 /// Makes the shader for a whole eclipse, or for one moment of it. For one moment, the light is computed in a single
 /// plane, which passes through the middle of the Moon's near half.
 ///
-/// Accuracy  The light times the sunlit Moon differs from a baked Moon by at most the strip's error, relative to the
-///           brightest channel, plus the error of the baked Moon. In the umbra, add 1 % for ground whose colour is not
-///           the Moon's mean colour
-/// Throws    Error  as light_strip
+/// Accuracy  The shader's light times the sunlit Moon differs from a baked Moon by at most the strip's error, relative
+///           to the brightest channel, plus the baked Moon's own error. In the umbra, add 1 % for ground whose colour
+///           is not the Moon's mean colour
+/// Throws    Error  if light_strip does
 EclipseShader eclipse_shader(const eclipse::Eclipse& eclipse, const ShaderRequest& request,
                              const algebra::Progress& progress = {},
                              const std::optional<almanac::Instant>& moment = {});
@@ -39,8 +39,8 @@ EclipseShader eclipse_shader(const eclipse::Eclipse& eclipse, const ShaderReques
 void write_strip(const std::filesystem::path& file, const EclipseShader& shader,
                  const ShaderRequest& request, const std::string& recipe);
 
-/// Writes a shader's files into a folder. The light strip is eclipse.exr, and the shaders are eclipse.osl, .glsl and
-/// .mtlx, and eclipse.inc and eclipse.pov for POV-Ray. The formula's steps and all data are in eclipse.json.
+/// Writes a shader's files into a folder. The light strip is eclipse.exr. The shaders are eclipse.osl, eclipse.glsl
+/// and eclipse.mtlx, with eclipse.inc and eclipse.pov for POV-Ray. eclipse.json has the formula's steps and all data.
 ///
 /// Given     recipe  settings to record in the strip's header
 /// Returned  names of the files written

@@ -68,7 +68,7 @@ Value of_numbers(const char* operation, std::vector<Value> numbers) {
 }
 Value clamped(const Value& a) { return of_numbers("clamp", {a}); }
 
-/// Evaluates a power series in t by Horner's scheme: c0 + t (c1 + t (c2 + …)).
+/// Expression for a power series in t by Horner's scheme: c0 + t (c1 + t (c2 + …)).
 template <class Constant>
 Value polynomial(const Value& t, const std::vector<Constant>& coefficients) {
   Value sum = coefficients.back();

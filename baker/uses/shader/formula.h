@@ -17,7 +17,7 @@ inline constexpr const char *number_type = "float", *vector_type = "vector3",
 
 /// One step of a formula. It computes one value, as a MaterialX node does. These operations exist in every shading
 /// language: "add", "subtract", "multiply" (also a vector by a number), "divide", "min", "clamp" (to the range 0 to 1),
-/// "dotproduct", "normalize", "sqrt", "atan2" (of y and x, −π to π), "floor", and "mix" (of two values, and the weight
+/// "dotproduct", "normalize", "sqrt", "atan2" (of y and x, −π to π), "floor", and "mix" (of two values, with the weight
 /// of the second). The remaining operations are
 ///
 ///     "place"     input: vector of any length that points from the Moon's centre to the ground, in Moon-fixed axes
@@ -28,7 +28,7 @@ struct Step {
   std::string operation, type;
   std::vector<std::size_t> operands{};  ///< indices of earlier steps
   std::array<double, 3> constant{};     ///< for "constant"; a single number is in element 0
-  std::string name{}, meaning{};        ///< a step without a name becomes part of an expression
+  std::string name{}, meaning{};        ///< a step without a name is part of another's expression
 };
 
 /// Steps in order of evaluation, each after its operands. The last step is the result.

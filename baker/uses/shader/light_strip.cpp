@@ -14,12 +14,12 @@ namespace coppermoon::uses {
 namespace {
 
 /// Numbers of columns in the strip's four stretches: deep in the umbra, around the edge where direct sunlight begins,
-/// just outside it, and farther out. Where light changes steeply, there are up to `most_times` as many.
+/// just outside it, and farther out. Where light changes steeply, there are up to `most_times` times as many.
 constexpr std::array fewest_stretches{180, 240, 80, 90};
 constexpr int most_times = 4;
 
 /// Limits on the error of linear interpolation between texels, relative to the brightest channel. If any error exceeds
-/// `good_enough`, the columns or rows whose error exceeds `between_nodes` are doubled.
+/// `good_enough`, the numbers of columns or rows whose errors exceed `between_nodes` are doubled.
 constexpr double good_enough = 6e-3, between_nodes = 4e-3;
 
 constexpr double rounding =
@@ -42,7 +42,7 @@ std::vector<double> distances_to(double reach_m, double begins_m) {
 
 using Colour = std::array<double, 3>;
 
-/// Largest error in any channel, relative to the exact light's brightest channel, or 0 if that is practically black.
+/// Largest error of any channel, relative to the brightest channel of the exact light. It is 0 if that light is black.
 double error_of(const Colour& found, const Colour& exact) {
   const double brightest = std::ranges::max(exact);
   if (brightest <= shadow::darkness_ratio) return 0;
@@ -98,7 +98,7 @@ void fill(LightStrip& strip, const LightAtPlaces& light) {
   }
 }
 
-/// Light between a texel and its neighbours, as a shader sees it: square roots are interpolated linearly, then squared.
+/// Light between texels, as a shader computes it: square roots are interpolated linearly, and the result is squared.
 Colour light_between(const LightStrip& strip, std::size_t r, std::size_t c, double along,
                      double across) {
   const std::size_t right = along > 0 ? c + 1 : c, below = across > 0 ? r + 1 : r;
@@ -112,9 +112,9 @@ Colour light_between(const LightStrip& strip, std::size_t r, std::size_t c, doub
   return light;
 }
 
-/// Largest errors of linear interpolation between columns, between rows, and between both.
+/// Largest errors of linear interpolation between columns, between rows, and between both at once.
 struct BetweenTexels {
-  std::array<double, 4> columns{};  ///< one error for each stretch
+  std::array<double, 4> columns{};  ///< largest error in each stretch
   double rows = 0, both = 0;
 
   double most() const { return std::max({std::ranges::max(columns), rows, both}); }
@@ -147,8 +147,8 @@ BetweenTexels between_texels(const LightStrip& strip, const LightAtPlaces& light
   return worst;
 }
 
-/// Largest error of the light from which a strip is filled, found by comparing it with a more accurate computation at
-/// points between the nodes, in the plane halfway between the nearest and the farthest.
+/// Largest error of the light from which a strip is filled. It is found by comparison with a more accurate computation,
+/// at points between the nodes, in the plane halfway between the nearest and the farthest.
 double error_found(const ShaderRequest& request, const almanac::SkyState& sky,
                    const LightStrip& strip, const LightAtPlaces& light,
                    const shadow::ChannelWeights& weights) {
@@ -173,7 +173,7 @@ double error_found(const ShaderRequest& request, const almanac::SkyState& sky,
                         : usual_bands;
   const auto waves = wavelengths_nm(bands);
   const auto at_waves = at_wavelengths(weights, bands);
-  const std::size_t around = cut.air.regions.empty() ? 29 : 13;  // angles between the rows
+  const std::size_t around = cut.air.regions.empty() ? 29 : 13;  // test angles lie between rows
   const auto refracted =
       refracted_light(exact, cut.air, cut.arrangement, {waves, distances_m, around});
   const shadow::DirectLight direct(cut.air, cut.arrangement, waves);

@@ -32,13 +32,13 @@ struct ShaderRequest {
 ///
 /// A column follows a line from the Earth's limb, so its axis distance differs between planes (shadow::sheared).
 struct LightStrip {
-  texture::Image roots;                    ///< channels R, G, B
+  texture::Image roots;                    ///< square roots of light in R, G, B
   std::array<double, 4> ends_km{};         ///< axis distances at which stretches end
   std::array<int, 4> stretches{};          ///< number of columns in each stretch
   std::size_t sectors = 1;                 ///< number of position angles
-  std::size_t planes = 2;                  ///< evenly spaced; 1 for a single moment
+  std::size_t planes = 2;                  ///< number of planes; 1 for a single moment
   double nearest_km = 0, farthest_km = 0;  ///< depths of the first and last plane
-  double error = 0;                        ///< estimated, relative to the brightest channel
+  double error = 0;                        ///< estimated error, relative to the brightest channel
 
   /// Axis distance at which a stretch begins.
   double from_km(std::size_t stretch) const { return stretch == 0 ? 0 : ends_km[stretch - 1]; }
@@ -53,12 +53,12 @@ struct LightStrip {
 /// Computes the light strip. It has 591 columns, and 97 rows per plane. If linear interpolation between its texels has
 /// an error of more than 0.6 % of the brightest channel, it gets up to four times as many columns or rows.
 ///
-/// Given     sky        at greatest eclipse, or at the single moment; it determines the air and the Sun's distance
+/// Given     sky        at greatest eclipse or at the single moment; the air and the Sun's distance follow from it
 ///           nearest_km, farthest_km  depths of the first and last plane [km]; if equal, there is only one plane
 /// Accuracy  estimated in `error`, as the largest interpolation error between texels plus the largest difference of
-///           the light from a finer quadrature at some 1700 places (750 with regions). At 95 of 100 other places the
+///           the light from a finer quadrature at some 1700 places (750 with regions). At 95 % of other places, the
 ///           true error is smaller, even if `error` is above 1 %
-/// Throws    Error      as refracted_light
+/// Throws    Error      if refracted_light does
 LightStrip light_strip(const ShaderRequest& request, const almanac::SkyState& sky,
                        double nearest_km, double farthest_km,
                        const algebra::Progress& progress = {});

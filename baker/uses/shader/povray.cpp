@@ -22,7 +22,7 @@ std::string series(const char* name, const std::vector<glm::dvec3>& coefficients
                      fmt::join(vectors, ",\n  "));
 }
 
-/// POV-Ray declarations of the Moon's motion, with y to the Moon's north pole and z to longitude 90 degrees east.
+/// POV-Ray declarations of the Moon's motion, with y towards the Moon's north pole and z towards longitude 90° east.
 std::string motion_of(ShadowMotion motion) {
   std::vector<glm::dvec3> centre;
   for (std::size_t i = 0; i < motion.centre[0].size(); ++i)

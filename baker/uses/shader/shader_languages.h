@@ -14,7 +14,7 @@ struct ShaderHead {
   std::string greatest;        ///< UTC of greatest eclipse
   std::string colour_space;    ///< colour space of the light
   std::string strip;           ///< file name of the strip
-  double declination_rad = 0;  ///< antisolar point's, at greatest eclipse
+  double declination_rad = 0;  ///< of the antisolar point at greatest eclipse
 };
 
 /// GLSL function `vec3 eclipse_light(vec3 place, float time)` for OpenGL ES 3, WebGL 2, and OpenGL with GLSL 1.30.

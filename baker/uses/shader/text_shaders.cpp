@@ -16,7 +16,7 @@ struct Language {
   std::map<std::string, const char*> words{};  ///< expression for each operation
 };
 
-/// Expressions for the operations that all these languages write alike.
+/// Expressions for the operations that are written alike in all these languages.
 const std::map<std::string, const char*> common_words{
     {"place", "place"},
     {"add", "{} + {}"},
@@ -55,7 +55,7 @@ std::string literal(double number) {
   return text;
 }
 
-/// Precedence of an expression, from loosest to tightest. It decides where parentheses are needed.
+/// How tightly an expression binds, from loosest to tightest. This decides where parentheses are needed.
 enum class Binding { sum, product, whole };
 
 Binding binding(const std::string& operation) {
@@ -68,7 +68,7 @@ struct ExpressionWriter {
   const Formula& formula;
   const Language& language;
 
-  /// Source text for an operand: its name if it has one, or else its expression, in parentheses if needed.
+  /// Source text for an operand: its name or, if it has none, its expression, in parentheses if needed.
   std::string operand(std::size_t step, Binding needed) const {
     const auto& part = formula[step];
     if (part.operation == "time") return language.time;

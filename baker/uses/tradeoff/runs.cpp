@@ -33,7 +33,7 @@ shadow::RefractedLight light_by(const Trial& trial, const Yardstick& yardstick,
   return shadow::by_photons(scene.air, scene.arrangement, waves, photon_settings(trial), progress);
 }
 
-/// A measure of a trial's work. Computing time grows linearly with it.
+/// Amount of work in a trial, in arbitrary units. Computing time grows linearly with it.
 double work_of(const Trial& trial) {
   return trial.photons / (trial.step_km > 0 ? trial.step_km : 1);
 }
@@ -44,8 +44,8 @@ bool differ_in_work_alone(Trial one, const Trial& other) {
   return one == other;
 }
 
-/// The measured trial that has the most work among those with no more work than `trial` and otherwise equal settings.
-/// nullptr if there is none, and always for the quadrature.
+/// The measured trial with the most work among those with no more work than `trial` and otherwise equal settings.
+/// nullptr if there is no such trial, and always for the quadrature.
 const Measured* nearest_smaller(const Trial& trial, std::span<const Measured> made) {
   const Measured* nearest = nullptr;
   for (const auto& one : made)
@@ -108,7 +108,7 @@ class Run {
     return {trial, {}, 0, seconds, yardstick_.errors_of(light, trial.photons > 0), false};
   }
 
-  /// The shortest time of several runs [s]. There are at least three runs if the first is short.
+  /// The shortest time of several runs of a trial [s]. There are at least three runs if the first is short.
   double least_seconds(const Trial& trial, const std::function<void()>& run) const {
     double least = limits_.stopwatch(trial, run);
     const int repeat = least < limits_.short_s ? std::max(limits_.repeat, 3) : limits_.repeat;
@@ -123,8 +123,8 @@ class Run {
     return seconds;
   }
 
-  /// Expected time for a trial [s]. It lies on a straight line through the times of the smallest and the largest trial
-  /// from least_and_most. If these times hardly differ, larger trials are timed first.
+  /// Expected time for a trial [s]. It lies on a straight line through the times of the two trials from least_and_most.
+  /// If these times hardly differ, larger trials are timed first.
   double foretold_seconds(const Trial& trial) {
     constexpr double shows = 1.5, larger = 4;
     for (;;) {
@@ -146,7 +146,8 @@ class Run {
     double seconds;
   };
 
-  /// Of the timed trials with no more work than `trial` and otherwise equal settings, those with the least and most.
+  /// The timed trials with the least and the most work, among those with no more work than `trial` and otherwise equal
+  /// settings.
   std::pair<Timed, Timed> least_and_most(const Trial& trial) const {
     std::vector<Timed> alike;
     for (const auto& one : timed_)
@@ -157,7 +158,7 @@ class Run {
     return {least, most};
   }
 
-  /// Times the baking of a texture of each width, and compares the picture with that from the widest texture.
+  /// Times the baking of a texture of each width, and compares its picture with that from the widest texture.
   void make_textures(const Sweep& sweep) {
     constexpr std::size_t most_pixels = 1024;
     const auto light = light_by(sweep.middle, yardstick_, {});

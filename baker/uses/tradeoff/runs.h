@@ -14,7 +14,7 @@
 
 namespace coppermoon::uses {
 
-/// A trial with the time that it took, and its errors.
+/// A trial, the time that it took, and the errors of its light.
 struct Measured {
   Trial trial;
   std::string_view varied;  ///< name of the setting that the sweep varies
@@ -24,7 +24,7 @@ struct Measured {
   bool extrapolated = false;  ///< whether time and errors are extrapolated from smaller trials
 };
 
-/// The settings of a trial by name. The value is empty for a setting that the solver does not have.
+/// The settings of a trial by name. A setting that the solver does not have is without a value.
 algebra::ByName<std::optional<double>> settings_of(const Trial& trial);
 
 template <class Field>
@@ -55,8 +55,8 @@ double seconds_of(const Trial& trial, const std::function<void()>& run);
 
 /// Limits on how long trials may take, and how often they are repeated.
 struct RunLimits {
-  double longest_s = 20;  ///< photon trials that would take longer are extrapolated
-  int repeat = 1;         ///< number of runs (the fastest counts); at least 3 if they are short
+  double longest_s = 20;  ///< longest time; longer photon trials are extrapolated
+  int repeat = 1;         ///< runs of each trial (the fastest counts); at least 3 if short
   double short_s = 1;     ///< time below which a run counts as short
   Stopwatch stopwatch = seconds_of;
 };
@@ -66,12 +66,12 @@ inline const RunLimits quick_limits{.longest_s = 3, .short_s = 0.1};
 
 /// Runs every trial of the sweeps, in order.
 ///
-/// The time is that of the solver, including its tables. In the sweep of texture widths, it is the time for baking the
-/// texture, and the picture's error is relative to the widest texture. A photon trial that would take longer than the
-/// limit is extrapolated from smaller trials that differ only in photons and step. Its time is a constant for the
-/// tables, plus a part proportional to photons / step. Its errors scale as N^(-1/2) with N photons.
+/// The time of a trial is that of the solver, including its tables. In the sweep of texture widths, it is the time for
+/// baking the texture, and the picture's error is relative to the widest texture. A photon trial that would take longer
+/// than the limit is extrapolated from smaller trials that differ only in photons and step. Its time is a constant for
+/// the tables, plus a time proportional to photons / step. Its errors scale as N^(-1/2) with N photons.
 ///
-/// Omits  that CIEDE2000 saturates above 10 or so, where extrapolated values are up to two times too small
+/// Omits  the saturation of CIEDE2000 above about 10, where extrapolated values are up to two times too small
 std::vector<Measured> measured_trials(std::span<const Sweep> sweeps, Yardstick& yardstick,
                                       const RunLimits& limits,
                                       const algebra::Progress& progress = {});

@@ -13,7 +13,7 @@ Sweep with_at_most(Sweep sweep, double most) {
   return sweep;
 }
 
-/// The trial with only ten bands, because two hundred bands in a thousand sectors would fill the memory.
+/// The trial with only ten spectral bands, because 200 bands in 1000 sectors would fill the memory.
 Trial in_ten_bands(Trial trial) {
   trial.wavelengths = 10;
   return trial;

@@ -14,11 +14,11 @@ namespace coppermoon::uses {
 /// Largest number of copies of a photon that can be spread around the axis of the shadow.
 inline constexpr double most_replicas = 1000;
 
-/// A solver and its settings. Settings that the solver does not have are 0.
+/// A solver and its settings. A setting that the solver does not have is 0.
 struct Trial {
   plan::Solver solver = plan::Solver::quadrature;
   double photons = 0, step_km = 0, wavelengths = 200, rays = 0;
-  /// Number of copies of each photon, spread evenly around the axis. Light is gathered in 1000 / replicas sectors.
+  /// Number of copies of each photon, evenly spaced around the shadow's axis. Light falls in 1000 / replicas sectors.
   double replicas = 0;
   double texture_width = 512;
 
@@ -35,7 +35,7 @@ struct Sweep {
   std::vector<Trial> trials() const;
 };
 
-/// Name of the varied setting in the sweep that times only the baking of textures, in light from the quadrature.
+/// Name of the varied setting in the sweep that times only the baking of textures. Their light is from the quadrature.
 inline constexpr std::string_view texture_sweep = "texture width";
 
 std::vector<std::string> solver_names();
@@ -43,7 +43,7 @@ std::vector<std::string> solver_names();
 /// Sweeps over every setting of every solver.
 ///
 /// Given  quick     whether to use few and small values
-///        replicas  largest number that the air allows: 1000 if it is symmetric about the axis, otherwise half of that
+///        replicas  largest number of copies that the air allows: 1000 if it is symmetric about the axis, otherwise 500
 std::vector<Sweep> sweeps(bool quick, double replicas);
 
 /// The sweeps that belong to the given solvers.

@@ -32,7 +32,7 @@ std::string percent(double part) {
   return part < 1 ? fmt::format("{:.3g} %", 100 * part) : fmt::format("{:.0f} %", 100 * part);
 }
 
-/// The trials of the first sweep among all trials.
+/// The trials that belong to the first sweep.
 std::span<const Measured> first_sweep(std::span<const Measured> all) {
   const auto end = std::ranges::find_if(all, [&](const Measured& one) {
     return one.varied != all[0].varied || one.trial.solver != all[0].trial.solver;
@@ -46,7 +46,7 @@ constexpr std::string_view colour_of(plan::Solver solver) {
   return colours[static_cast<std::size_t>(solver)];
 }
 
-/// gnuplot's number for the filled symbol of a sweep. The number of the matching open symbol is one less.
+/// gnuplot's number for the filled symbol that marks a sweep. The number of the matching open symbol is one less.
 int symbol_of(std::string_view varied) {
   constexpr std::array<std::string_view, 5> filled{"rays", "photons", "wavelengths", "replicas",
                                                    "step"};
@@ -60,7 +60,7 @@ bool is_the_papers(const Trial& trial) {
 
 using Which = bool (*)(const Measured&);
 
-/// The trials that `which` selects, as rows of seconds, error and value.
+/// The trials that `which` selects, as rows of three numbers: seconds, error, and value of the varied setting.
 std::string rows_of(std::span<const Measured> all, Which which) {
   std::string rows;
   for (const auto& one : all)
@@ -76,7 +76,7 @@ bool apart(const Measured& one, const Measured& other) {
   return differ(one.seconds, other.seconds) || differ(one.errors.umbra.rms, other.errors.umbra.rms);
 }
 
-/// Adds a curve unless it has no rows.
+/// Adds a curve to a plot's curves unless it has no rows.
 void add(std::vector<PlotCurve>& curves, PlotCurve curve) {
   if (!curve.rows.empty()) curves.push_back(std::move(curve));
 }

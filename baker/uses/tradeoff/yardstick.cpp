@@ -31,7 +31,7 @@ using algebra::Grid;
 
 constexpr double umbra_m = 4500e3;
 
-/// Luminance of sunlight in each of the bands.
+/// Luminance of sunlight in each spectral band.
 std::vector<double> luminance_of_sunlight(std::size_t bands) {
   const auto edges = band_edges_nm();
   const auto xyz = colour::xyz_weights(edges);
@@ -46,7 +46,7 @@ double weighted(std::span<const double> ratios, std::span<const double> weights)
   return std::inner_product(ratios.begin(), ratios.end(), weights.begin(), 0.);
 }
 
-/// Luminance of refracted light, by sector (rows) and place (columns).
+/// Luminance of refracted light, with a row for each sector and a column for each place.
 Grid<double> luminance_of(const shadow::RefractedLight& light) {
   const auto weights = luminance_of_sunlight(light.wavelengths_nm.size());
   Grid<double> luminance(light.sectors, light.axis_distances_m.size());
@@ -76,7 +76,7 @@ Grid<double> sum(Grid<double> a, const Grid<double>& b) {
   return a;
 }
 
-/// Mean of a field over one of `sectors` sectors for each place, computed from four angles within the sector.
+/// Mean of a field over one of `sectors` sectors, for each axis distance, computed from four angles in the sector.
 std::vector<double> over_sector(const Grid<double>& field, std::size_t sector,
                                 std::size_t sectors) {
   constexpr int angles = 4;
@@ -93,7 +93,7 @@ std::vector<double> over_sector(const Grid<double>& field, std::size_t sector,
   return mean;
 }
 
-/// Sums of relative errors, weighted by area.
+/// Accumulates relative errors of light, weighted by area.
 class Errors {
  public:
   void add(double found, double expected, double area) {
@@ -108,7 +108,7 @@ class Errors {
   double squares_ = 0, area_ = 0, worst_ = 0;
 };
 
-/// Orthographic view of the disc from the Earth's centre, on a black background.
+/// Orthographic view of the Moon's disc from the Earth's centre, on a black background.
 texture::Image seen_from_earth(const texture::Image& texture, const almanac::SkyState& sky,
                                std::size_t pixels) {
   const glm::dvec3 to_earth = almanac::selenographic_direction(sky.sub_earth);
@@ -135,7 +135,7 @@ texture::Image seen_from_earth(const texture::Image& texture, const almanac::Sky
 struct ErrorsByZone {
   Errors umbra, penumbra;
 
-  /// Given  at_m  distance from the axis, to which the area is proportional
+  /// Given  at_m  distance from the axis, used as the weight because the area is proportional to it
   void add(double found, double expected, double at_m) {
     (at_m < umbra_m ? umbra : penumbra).add(found, expected, at_m);
   }

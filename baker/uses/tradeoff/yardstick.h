@@ -31,24 +31,23 @@ struct MeasuredScene {
 /// Throws  Error  when the air or the map is invalid
 MeasuredScene measured_scene(const MoonRequest& moon, const almanac::SkyState& sky);
 
-/// Settings for computing the reference light.
 struct ReferenceSettings {
   int rays = 6000;
   std::size_t bands = 400;
-  double spacing_m = 25e3;  ///< step in axis distance, as far as refracted light reaches
+  double spacing_m = 25e3;  ///< step between axis distances, as far as refracted light reaches
   std::size_t texture_width = 512;
 };
 
-/// Settings for a reference that takes only seconds. Its error is at most a ninth of the error that 300 rays have.
+/// Settings for a reference that takes only seconds. Its error is at most a ninth of the error with 300 rays.
 constexpr ReferenceSettings quick_reference{1000, 200, 50e3, 256};
 
-/// Errors in irradiance, relative to the reference's refracted and direct light at the same place: their root mean
-/// square over the area, and the largest.
+/// Errors of irradiance, relative to the sum of refracted and direct light in the reference at the same place: the root
+/// mean square over an area, and the largest error.
 struct Spread {
   double rms = 0, worst = 0;
 };
 
-/// Difference between two pictures: CIEDE2000 over the Moon's disc, as mean and 99th percentile.
+/// Colour difference CIEDE2000 between two pictures of the Moon's disc: its mean and its 99th percentile.
 struct PictureErrors {
   double mean = 0, percentile_99 = 0;
 };
@@ -61,10 +60,10 @@ struct LightErrors {
 
 /// Reference light for one scene, relative to which the errors of other light are measured.
 ///
-/// Irradiance is weighted as luminance, which is the sum over bands of ȳ times sunlight times the light's ratio to
-/// sunlight. Light from the quadrature is compared place by place. Light from photons is compared at the middles of
-/// its rings with the reference's mean over each sector. Pictures show the scene's Moon baked in the light, as seen
-/// from the Earth's centre, and are developed at the exposure that suits the reference.
+/// Irradiance is weighted as luminance: the sum over bands of ȳ times sunlight times the light's ratio to sunlight.
+/// Light from the quadrature is compared place by place. Light from photons is compared at the middles of its rings,
+/// with the mean of the reference over each sector. Pictures show the scene's Moon in the given light, as seen from the
+/// Earth's centre, and are developed at the exposure that suits the reference.
 class Yardstick {
  public:
   /// Computes the reference light.
@@ -73,21 +72,20 @@ class Yardstick {
   Yardstick(MeasuredScene scene, const ReferenceSettings& settings,
             const algebra::Progress& progress = {});
 
-  /// The scene for which the reference light was computed.
   const MeasuredScene& scene() const { return scene_; }
-  /// Axis distances at which a quadrature should compute its light.
+  /// Axis distances at which the quadrature should compute the light to be compared.
   const std::vector<double>& axis_distances_m() const { return distances_m_; }
 
   /// Errors of the given light relative to the reference light.
   ///
-  /// Given  light     in the scene's plane, at axis_distances_m or in rings
-  ///        in_rings  whether the light comes from photons
+  /// Given  light     light in the scene's plane, at axis_distances_m or in rings
+  ///        in_rings  whether the light is in rings, as it is if it comes from photons
   LightErrors errors_of(const shadow::RefractedLight& light, bool in_rings);
 
   /// Texture of the scene's Moon in the given light, linear Rec.709 [cd/m²].
   texture::Image baked(const shadow::RefractedLight& light, std::size_t width) const;
 
-  /// Difference between the pictures that two textures give, as seen from the Earth's centre.
+  /// Difference between two pictures, as seen from the Earth's centre, that are made with two textures.
   ///
   /// Given  pixels  number of pixels across the disc; texels are interpolated bilinearly
   PictureErrors picture_errors(const texture::Image& reference, const texture::Image& other,
@@ -105,7 +103,7 @@ class Yardstick {
   ReferenceSettings settings_;
   std::vector<double> distances_m_;
   std::size_t sectors_ = 1;
-  std::map<std::size_t, Field> direct_;  // for each number of bands
+  std::map<std::size_t, Field> direct_;  // keyed by number of bands
   Field total_;
   texture::Image texture_;
 };

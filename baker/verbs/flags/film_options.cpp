@@ -100,7 +100,7 @@ void add_times(Verb& verb, FilmOptions& options) {
 
 /// Reads a list of moments separated by commas.
 ///
-/// Throws  Error  if one of them cannot be read
+/// Throws  Error  if a moment cannot be read
 std::vector<Instant> moments_in(const std::string& text, const eclipse::Eclipse& eclipse,
                                 const uses::MomentContext& context) {
   std::vector<Instant> moments;
@@ -177,7 +177,7 @@ constexpr double half_a_month_s = 15 * 86400.;
 
 /// The eclipse nearest to a moment.
 ///
-/// Throws  Error  if it is more than 15 days away
+/// Throws  Error  if that eclipse is more than 15 days away
 eclipse::Eclipse eclipse_near(const std::string& text, almanac::Calendar calendar) {
   const auto moment = almanac::instant_from_utc(text, calendar);
   auto nearest = eclipse::nearest_eclipse(moment, eclipse::ShadowConvention::danjon);

@@ -44,11 +44,11 @@ void add_film_options(Verb& verb, FilmOptions& options);
 eclipse::Eclipse eclipse_of(const FilmOptions& options,
                             const std::optional<almanac::Observer>& observer = {});
 
-/// Times of the film that the options describe. A film from "moonrise" begins when the Moon is first up for the
-/// observer after P1; a film to "moonset" ends when the Moon is last up before P4 (uses::while_up).
+/// Times of the film that the options describe. A film from "moonrise" begins when the Moon first is above the horizon
+/// after P1; a film to "moonset" ends when the Moon last is above the horizon before P4 (uses::while_up).
 ///
-/// Throws  Error  as eclipse_of; if a moment cannot be read; for "moonrise" or "moonset" without an observer, or if the
-///                Moon is never up
+/// Throws  Error  like eclipse_of; if a moment cannot be read; for "moonrise" or "moonset" without an observer, or if
+///                the Moon is never up
 uses::FilmTimes times_of(const FilmOptions& options, const uses::ViewRequest& view = {});
 
 /// Shortens a film to the time while the Moon is above the observer's horizon. A beginning or end that the user gave is
@@ -71,7 +71,7 @@ std::vector<std::pair<almanac::Instant, double>> time_keys_from(
     const std::string& text, const eclipse::Eclipse& eclipse,
     const uses::MomentContext& context = {});
 
-/// How the camera is mounted, and where a fixed one points.
+/// How the camera is mounted, and where a fixed camera points.
 ///
 /// Given   observed  whether there is an observer
 /// Throws  Error     for a fixed mount without an observer, an aim without a fixed mount, or an aim that cannot be read
@@ -79,7 +79,7 @@ uses::Mounting mounting_of(const FilmOptions& options, bool observed);
 
 /// Checks the options for files of the whole film.
 ///
-/// Throws  Error  if they are requested for a single shard; as require_sound
+/// Throws  Error  if files of the whole film are requested for a single shard; like require_sound
 void require_whole_film(const FilmOptions& options);
 
 /// Converts products to the text with which --make requests them.

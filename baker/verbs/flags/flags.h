@@ -85,8 +85,8 @@ request::Parameter& add_flag(Verb& verb, const std::string& names, Value& value,
 
 /// Adds a parameter whose text, such as "2s" or "42.86,-73.77", is parsed by a function.
 ///
-/// Given  take  reads the text; throws algebra::Error if it cannot
-///        text  the default as text, if there is one
+/// Given  take  function that parses the text; throws algebra::Error for a text that it cannot parse
+///        text  the default value as text; empty if there is no default
 request::Parameter& add_parsed(Verb& verb, const std::string& names,
                                std::function<void(const std::string&)> take,
                                const std::string& help, const std::string& text = "");
@@ -106,11 +106,11 @@ request::Parameter& add_switch(Verb& verb, const std::string& names, bool& value
 request::Parameter& add_run_switch(Verb& verb, const std::string& names, bool& value,
                                    const std::string& help);
 
-/// Adds --json. The documents that it may print are recorded for `coppermoon describe`.
+/// Adds --json. The documents that it may print are recorded, so that `coppermoon describe` can describe them.
 request::Parameter& add_json_switch(Verb& verb, bool& value, Documents documents,
                                     const std::string& help = "prints one JSON document");
 
-/// Adds a command to the program. It has no parameters yet.
+/// Adds a command, still without parameters, to the program.
 Verb& add_verb(Program& program, const std::string& name, const std::string& help);
 
 /// Adds --recipe to a command, and sets the function that runs the command once its parameters are set.

@@ -10,7 +10,7 @@ namespace coppermoon::verbs {
 /// What a new user of a command needs to know first.
 struct Guide {
   std::string_view verb;
-  std::vector<std::string_view> common;    ///< flags that --help lists, without dashes
+  std::vector<std::string_view> common;    ///< names of flags that --help lists, without dashes
   std::vector<std::string_view> examples;  ///< example command lines
 };
 

@@ -15,7 +15,7 @@ std::vector<std::string> names_of(const Verb& verb);
 bool holds(const std::vector<std::string>& words, std::string_view word);
 
 /// Advice on what replaces a flag or recipe key that existed in earlier versions, such as "photons are no longer
-/// marched; …". Empty if there never was one with this name.
+/// marched; …". Empty if no earlier version had a flag or key of this name.
 std::string_view since_there_is_no(std::string_view flag);
 
 /// Suggestion for an unknown flag, such as "; did you mean --field?". The suggestion names the flag that other programs

@@ -18,7 +18,7 @@ void add_light_options(Verb& verb, LightOptions& options) {
   add_described(verb, request.by_hand, uses::describe_knobs);
   add_described(verb, request, uses::describe_solver);
   for (auto& parameter : verb.parameters)
-    if (parameter.name == "quality")  // even unshadowed, a draft has a coarser texture
+    if (parameter.name == "quality")  // even without a shadow, a draft has a coarser texture
       parameter.not_beside({{"unshadowed"}}, {"standard", "reference", "paper"});
     else if (parameter.heading == uses::air_heading || parameter.heading == uses::light_heading)
       parameter.not_beside({{"unshadowed"}});

@@ -14,7 +14,7 @@ namespace coppermoon::verbs {
 struct LightOptions {
   uses::LightRequest request;
   uses::Effort effort;
-  /// Returns the part of the recipe that photons depend on. To be called after the command line has been read.
+  /// Returns the settings in the recipe on which photons depend. Call it only after the command line has been read.
   std::function<std::string()> key;
 };
 
@@ -24,7 +24,7 @@ void add_light_options(Verb& verb, LightOptions& options);
 /// Adds --shard, --keep and --add, with which several runs share the work of tracing photons.
 void add_photon_file_options(Verb& verb, LightOptions& options);
 
-/// Request for light that the flags describe. The quality "paper" sets several of its fields.
+/// Makes a request for light from the flags. The quality "paper" sets several fields of the request.
 ///
 /// Throws  Error  if the flags contradict one another
 uses::LightRequest light_request(const LightOptions& options);

@@ -13,7 +13,7 @@
 
 namespace coppermoon::verbs {
 
-/// A moment as text, and the flags by which it is understood.
+/// A moment as text, and the flags that determine how the text is interpreted.
 struct MomentOptions {
   std::string text;
   almanac::Calendar calendar = almanac::Calendar::gregorian;
@@ -22,7 +22,7 @@ struct MomentOptions {
 
 /// Adds --calendar, --zone and --instant. The moment may also be given without the flag --instant.
 ///
-/// Given  more  addition to the help text, about what else may be given in place of the moment
+/// Given  more  text to append to the help, about what may be given in place of the moment
 request::Parameter& add_moment_options(Verb& verb, MomentOptions& options,
                                        const std::string& more = "");
 
@@ -35,11 +35,11 @@ void add_zone_option(Verb& verb, std::string& zone);
 /// Adds the key `calendar` to a document if its dates are not Gregorian.
 void say_calendar(nlohmann::ordered_json& document, almanac::Calendar calendar);
 
-/// The moment that the options mean (uses::moment_in). If they do not state its time but, for instance, a day or a
-/// contact, the moment is reported on stderr.
+/// The moment that the options mean (uses::moment_in). If they give, for instance, a day or a contact instead of a
+/// time, the resulting moment is reported on stderr.
 ///
 /// Given   observer  the observer to whom days, moonrise and moonset refer
-/// Throws  Error     as uses::moment_in
+/// Throws  Error     like uses::moment_in
 almanac::Instant instant_of(const MomentOptions& options,
                             const std::optional<almanac::Observer>& observer = {});
 
@@ -50,7 +50,7 @@ void say_which_city(Verb& verb);
 /// Reports on stderr which times are read as UTC, because they have no offset, although the command line names a place.
 void say_what_is_utc(const Verb& verb);
 
-/// Reports on stderr how local time is chosen for a place that has no city near it (uses::whose_clocks).
+/// Reports on stderr how local time is chosen for a place without a city nearby (uses::whose_clocks).
 void say_whose_clocks(const almanac::Observer& observer);
 
 }  // namespace coppermoon::verbs

@@ -27,14 +27,14 @@ void add_moon_options(Verb& verb, MoonOptions& options);
 /// Adds the flags for the Moon in a film. They do not include flags for a single moment or for sharing photons.
 void add_film_moon_options(Verb& verb, MoonOptions& options);
 
-/// Request for the Moon and its light that the flags describe. A draft has half as many texels per pixel.
+/// Makes a request for the Moon and its light from the flags. A draft has half as many texels per pixel as usual.
 ///
-/// Throws  Error  as light_request
+/// Throws  Error  like light_request
 uses::MoonRequest moon_request(const MoonOptions& options);
 
 /// Sky at the moment that the options mean for this observer.
 ///
-/// Throws  Error  if the text is not a moment, or if no eclipse is under way although the Moon is not to be unshadowed
+/// Throws  Error  if the text is not a moment; if no eclipse is under way, unless the Moon is requested unshadowed
 almanac::SkyState eclipsed_sky(const MoonOptions& options,
                                const std::optional<almanac::Observer>& observer);
 

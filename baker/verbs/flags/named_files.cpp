@@ -51,7 +51,7 @@ bool stands_in(const fs::path& file, const fs::path& folder) {
   if (!fs::exists(file, failed)) return false;
   const auto path = place_of(file);
   auto above = place_of(folder);
-  if (above.filename().empty()) above = above.parent_path();  // a missing folder keeps its slash
+  if (above.filename().empty()) above = above.parent_path();  // removes a slash at the end
   return std::mismatch(above.begin(), above.end(), path.begin(), path.end()).first == above.end();
 }
 

@@ -13,7 +13,7 @@
 namespace coppermoon::verbs {
 namespace {
 
-/// Longest time between two exposures of one scene [s]. The shadow then moves by 33 arcseconds, 1/60 of the disc.
+/// Longest time between two exposures of one scene [s], in which the shadow moves by 33 arcseconds (1/60 of the disc).
 constexpr double most_apart_s = 60;
 
 std::string words_for(const texture::ImageWindow& window) {
@@ -56,7 +56,7 @@ void require_one_meaning(const std::string& first, const std::string& other) {
   }
 }
 
-/// Whether two exposures of one scene may differ in this setting.
+/// Whether this setting may differ between two exposures of one scene.
 bool is_of_exposure(const request::Setting& setting) {
   uses::Development development;
   request::Parameters exposure;

@@ -27,7 +27,7 @@ namespace {
 using request::Kind, request::Parameter, request::Recipe, request::Setting, request::Texts;
 
 Recipe recipe_of_file(const std::string& path) {
-  constexpr std::size_t most_bytes = (1 << 20) + 1;  // one more than recipe_in allows
+  constexpr std::size_t most_bytes = (1 << 20) + 1;  // one byte more than recipe_in allows
   if (!holds_recipe(path)) {
     const auto bytes = files::beginning_of(path, most_bytes);
     return request::recipe_in(std::string(algebra::utf8_text(bytes, path)), path);
@@ -37,7 +37,7 @@ Recipe recipe_of_file(const std::string& path) {
   return request::recipe_in(*text, path);
 }
 
-/// Keys that a table may hold in a command's recipes. If `table` is empty, the keys that may stand above all tables.
+/// Keys that a command allows in a table of a recipe or, if `table` is empty, above all tables.
 std::vector<std::string> names_in(const Verb& verb, const std::string& table) {
   if (table.empty()) return names_of(verb);
   std::vector<std::string> names;
@@ -46,12 +46,12 @@ std::vector<std::string> names_in(const Verb& verb, const std::string& table) {
   return names;
 }
 
-/// Whether the command has a parameter with the name and table of this setting in a recipe.
+/// Whether the command has a parameter with this setting's name and table.
 bool has(const Verb& verb, const Setting& setting) {
   return holds(names_in(verb, setting.table), setting.name);
 }
 
-/// Whether any command of the program has this setting. If so, it is allowed, because all commands can share a recipe.
+/// Whether any command has a parameter for this setting. If so, all commands accept it, because they can share recipes.
 bool is_anothers(const Verb& verb, const Setting& setting) {
   return verb.program != nullptr &&
          std::ranges::any_of(verb.program->verbs,
@@ -60,7 +60,7 @@ bool is_anothers(const Verb& verb, const Setting& setting) {
 
 /// Makes the error for a key that does not exist in its table.
 ///
-/// Given  known  keys that the table may hold, at least one
+/// Given  known  keys that the table may hold; there must be at least one
 WrongUsage no_such_key(const Verb& verb, const std::string& where, const std::string& key,
                        const std::string& table, const std::vector<std::string>& known) {
   const bool above = table != verb.name && holds(names_of(verb), key);
@@ -83,8 +83,8 @@ WrongUsage unknown(const Verb& verb, const Setting& setting) {
   return no_such_key(verb, where, name, "[" + table + "]", known);
 }
 
-/// Throws if a setting says which files to write or how to run. These are allowed only on the command line, because a
-/// recipe may come from a stranger.
+/// Throws if a setting says which files to write or how to run. Such settings are allowed only on the command line,
+/// because a recipe may come from someone whom the user does not trust.
 void require_no_output(Verb& verb, const Setting& setting) {
   const auto* parameter = flag_of(verb, setting.name);
   if (parameter != nullptr && parameter->affects == request::Affects::run)
@@ -104,7 +104,7 @@ Parameter* heeded(Verb& verb, const Setting& setting, bool lenient) {
   return parameter;
 }
 
-/// Converts a value with parts to the text of its flag, such as "cloud-cover=1,from-latitude=-90,to-latitude=0".
+/// Converts a value with named parts to text for its flag, such as "cloud-cover=1,from-latitude=-90,to-latitude=0".
 std::string text_of_parts(const Verb& verb, const Parameter& grouped, const Recipe& value) {
   std::vector<std::string> parts, known;
   for (const auto& part : *grouped.parts) known.push_back(part.name);
@@ -120,7 +120,7 @@ std::string text_of_parts(const Verb& verb, const Parameter& grouped, const Reci
 }
 
 /// Converts the values of a setting to the strings that its parameter expects. In a recipe, true and false may stand
-/// for `on` and `off`. A list becomes several values or, if the parameter has only one, a value with commas.
+/// for `on` and `off`. A list becomes several values or, if the parameter takes only one, a value with commas.
 Texts texts_for(const Verb& verb, const Parameter& parameter, const Setting& setting) {
   if (!setting.parts.empty() && !parameter.parts)
     throw algebra::Error(
@@ -153,7 +153,7 @@ void take(const Verb& verb, Parameter& parameter, const Setting& setting,
   }
 }
 
-/// Turns the recipe of a film, which is stored in the file of each frame, into a recipe for the frame in this file.
+/// Converts the recipe of a film, which every frame's file holds, to a recipe for the one frame in this file.
 Recipe of_frame(Verb& verb, const std::string& path, const Recipe& recipe) {
   const auto is_open = [&](const char* name) {
     return verb.parameters.find(name) != nullptr && !is_typed(verb, name);

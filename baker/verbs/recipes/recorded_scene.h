@@ -10,11 +10,11 @@
 
 namespace coppermoon::verbs {
 
-/// Computes the lit scene that the flags describe, with its recipe in the texture's header. A progress bar is shown
+/// Computes the lit scene that the flags describe, and stores its recipe in the texture's header. Shows a progress bar
 /// while light is computed.
 ///
 /// Given   baking  receives the progress of writing the texture
-/// Throws  Error  as moon_request, eclipsed_sky and uses::lit_scene
+/// Throws  Error  like moon_request, eclipsed_sky and uses::lit_scene
 uses::LitScene lit_scene(const Verb& verb, const MoonOptions& moon, const uses::ViewRequest& view,
                          uses::Baking baking);
 

@@ -42,8 +42,8 @@ std::string parameter_name(const std::string& flag) {
   return name;
 }
 
-/// Definition of a job parameter for a path. A farm may map paths to other places, but a template may name only paths
-/// in its own folder, so any other path is given as a string.
+/// Definition of a job parameter for a path. A render farm may map paths to other locations, but a job template may
+/// contain only paths within its own folder. Any other path is therefore defined as a string.
 ///
 /// Given  kind  lines with the path's "objectType" and "dataFlow"
 std::string path_parameter(const std::string& name, std::string_view kind, const fs::path& folder,
@@ -54,7 +54,7 @@ std::string path_parameter(const std::string& name, std::string_view kind, const
                      quoted(within.value_or(path)), quoted(description));
 }
 
-/// Flags for the commands in the job's tasks, and definitions of the job parameters for the files that they name.
+/// Flags for the commands in the job's tasks, and definitions of job parameters for the files that these flags name.
 struct Flags {
   std::vector<std::string> of_shard, of_film;
   std::string parameters;
@@ -94,7 +94,7 @@ std::string added_products(const Verb& verb, const uses::Film& film) {
 
 /// Collects the flags that were given, for use in the job's tasks.
 ///
-/// Given  make  value that replaces the one of --make, unless empty
+/// Given  make  if not empty, replaces the value of --make
 Flags given_flags(const Verb& verb, const fs::path& folder, const std::string& make) {
   constexpr std::array of_the_run{"job", "recipe", "shard"};
   Flags flags;

@@ -44,13 +44,13 @@ void print_night(const uses::FittedNight& night) {
                  : fmt::format(": {:.0f} minutes from {}", std::abs(seconds) / 60, one_line(zone)));
 }
 
-/// Describes a ratio of light, given its logarithm, as "+12 %" or, if it is large, as "-1.3 stops".
+/// Describes a ratio of light, given its natural logarithm, as "+12 %" or, if it is large, as "-1.3 stops".
 std::string ratio_in_words(double logarithm) {
   return std::abs(logarithm) < 0.5 ? fmt::format("{:+.1f} %", 100 * std::expm1(logarithm))
                                    : fmt::format("{:+.1f} stops", logarithm / std::log(2));
 }
 
-/// Advice on what to change, and with which options, if this is the likely reason for a misfit.
+/// Advice on what to change, and with which options, if `suspect` is the likely reason for a misfit.
 const char* remedy(uses::Suspect suspect) {
   using enum uses::Suspect;
   switch (suspect) {

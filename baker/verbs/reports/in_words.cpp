@@ -79,7 +79,7 @@ std::string in_words(const colour::ToneCurve& curve) {
 }
 
 std::string doubt_of(const colour::ToneCurve& curve) {
-  constexpr double most_deviations = 4;  // only one camera in ten thousand exceeds it
+  constexpr double most_deviations = 4;  // exceeded by only one camera in ten thousand
   double most = 0;
   for (const double number : components_of(curve))
     if (std::abs(number) > std::abs(most)) most = number;

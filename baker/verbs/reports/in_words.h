@@ -14,7 +14,7 @@ namespace coppermoon::verbs {
 /// A relative error in words, such as "within 0.3 %" or, if it exceeds 1, "wrong by more than the light itself".
 std::string within(double relative_error);
 
-/// A fraction in per cent, rounded to two digits, such as "0.3 %".
+/// A fraction in per cent, rounded to two significant digits, such as "0.3 %".
 std::string in_percent(double share);
 
 /// A number rounded to three significant digits, without an exponent, such as "5180" or "0.0123".
@@ -34,19 +34,19 @@ std::string exposure_in_words(const uses::Exposures& exposures);
 /// Given  sky_over_moon  ratio of the sky's luminance to the Moon's
 std::string bright_sky_in_words(double sky_over_moon);
 
-/// One-line message that the sky hides the Moon, and from or until when it can be seen; absent if it can be seen now.
+/// One-line message that the sky hides the Moon, and when the Moon can be seen; absent if it can be seen at `when`.
 ///
-/// Given  night  must include the times for which the Moon is seen (uses::as_seen)
+/// Given  night  must include the times at which the Moon is seen (uses::as_seen)
 std::optional<std::string> unseen_in_words(const uses::Circumstances& night,
                                            const almanac::Instant& when);
 
-/// How a tone curve differs from the mean of cameras, in words: "+0.40, +0.13, +0.23 standard deviations of cameras".
+/// A tone curve's difference from the mean of cameras, such as "+0.40, +0.13, +0.23 standard deviations of cameras".
 std::string in_words(const colour::ToneCurve& curve);
 
 /// Warning that a fitted tone curve is unlike that of any camera; empty if the curve is plausible.
 std::string doubt_of(const colour::ToneCurve& curve);
 
-/// The principal components by which a tone curve differs from the mean of cameras [standard deviations].
+/// A tone curve's difference from the mean curve of cameras, as principal components [standard deviations].
 std::vector<double> components_of(const colour::ToneCurve& curve);
 
 }  // namespace coppermoon::verbs

@@ -19,8 +19,8 @@ std::size_t length_told_by(unsigned char first) {
   return first >= 0xF0 && first <= 0xF4 ? 4 : 0;
 }
 
-/// Whether UTF-8 allows the second byte of a character after the first. UTF-8 allows no overlong
-/// encodings, no surrogates and no characters above U+10FFFF.
+/// Whether UTF-8 allows this second byte of a character after this first byte. UTF-8 forbids overlong encodings,
+/// surrogates and characters above U+10FFFF.
 bool second_allowed(unsigned char first, unsigned char second) {
   if (first == 0xE0) return second >= 0xA0;
   if (first == 0xED) return second <= 0x9F;

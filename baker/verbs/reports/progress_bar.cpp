@@ -46,7 +46,7 @@ AtWork::AtWork(std::string command, std::chrono::milliseconds first,
   if (files::errors_on_terminal()) return;
   try {
     saying_ = std::thread([this, first, others] { say(first, others); });
-  } catch (const std::system_error&) {  // without a thread, nothing is printed
+  } catch (const std::system_error&) {  // if no thread can be started, nothing is printed
   }
 }
 

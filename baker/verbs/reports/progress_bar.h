@@ -44,7 +44,7 @@ class AtWork {
   AtWork& operator=(const AtWork&) = delete;
 
  private:
-  /// Runs in the thread. Allocates no memory before it prints, because a thread's first allocation reserves 64 MB.
+  /// Body of the thread. Allocates no memory before it prints, because a thread's first allocation reserves 64 MB.
   void say(std::chrono::milliseconds first, std::chrono::milliseconds others);
 
   std::string command_;

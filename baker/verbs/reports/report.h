@@ -15,7 +15,7 @@ namespace coppermoon::verbs {
 /// Converts a recipe from TOML to a JSON object.
 nlohmann::ordered_json as_json(const std::string& recipe);
 
-/// Describes the files that a command made, under the key `file` if there is one, else under `files`.
+/// Describes the files that a command made: a single file under the key `file`, several under the key `files`.
 template <class Field>
 void describe_files(Field&& is, const std::vector<std::string>& files) {
   const bool one = files.size() == 1;

@@ -43,7 +43,7 @@ Writer<Result> writer_of(files::Ending ending, result::Json (*document)(const Re
           }};
 }
 
-/// Prints a JSON document on stdout, to which the names of files that were written are added.
+/// Prints a JSON document on stdout, after adding the names of the files that were written.
 void print_json(result::Json document, const std::vector<std::string>& files = {});
 
 /// Adds --output, which names files for the result. The ending of a name determines the format.
@@ -54,10 +54,10 @@ void add_outputs(Verb& verb, std::vector<std::string>& names, const Writers<Resu
       .writes_file(writers);
 }
 
-/// Checks that the named files can be written. To be called before the work for them begins.
+/// Checks that the named files can be written. Call this before the result is computed.
 ///
 /// Given   what  what the files hold, such as "a night", for error messages
-/// Throws  algebra::Error  as files::format_of and files::require_place_for
+/// Throws  algebra::Error  like files::format_of and files::require_place_for
 template <class Result>
 void require_writers(const std::vector<std::string>& names, const Writers<Result>& writers,
                      std::string_view what) {
@@ -69,7 +69,7 @@ void require_writers(const std::vector<std::string>& names, const Writers<Result
 
 /// Writes a result to each of the named files, in the format that its ending determines.
 ///
-/// Throws  algebra::Error  as the writers
+/// Throws  algebra::Error  like the writers
 template <class Result>
 void write_files(const Result& result, const std::vector<std::string>& names,
                  const Writers<Result>& writers) {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Adds eclipsed Moons to Blender (Add > Eclipse). The program coppermoon bakes them, this add-on builds the scene."""
+"""Adds eclipsed Moons to Blender (Add > Eclipse). Coppermoon bakes the textures, and the add-on builds the scene."""
 bl_info = {
     "name": "Coppermoon",
     "description": "Eclipsed Moons: texture, light, camera and time line from a date and a place",

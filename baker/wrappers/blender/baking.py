@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Has the program bake a Moon's textures, and builds the scene from them."""
+"""Runs the program coppermoon to bake a Moon's textures, and builds the scene from them."""
 import hashlib
 import json
 import os
@@ -9,13 +9,13 @@ from .texture import Texture, second_of_day, textures_of
 
 
 class Baked:
-    """What a bake yields: textures in the order of their frames, the light of each disc, and contacts by name.
+    """Results of a bake: textures in the order of their frames, the Moon's illuminance for each of them, and contacts.
 
-    Given  contacts  moments in UTC
-           shaded    the film's shader, and textures of the sunlit Moon, if the film's own textures are small
-           measured  illuminance by texture path, as far as it is already known
-           skies     the sky at each texture's moment, if the observer has a place
-           domes     files of the night sky, one for each texture, if requested
+    Given  contacts  moments of the contacts in UTC, by name
+           shaded    the film's shader, and textures of the sunlit Moon; None if the film uses no shader
+           measured  illuminances that are already known, by texture path
+           skies     descriptions of the sky, one for each texture; None if the Moon has a scene of its own
+           domes     image files of the night sky, one for each texture; None unless requested
     """
 
     def __init__(self, textures, contacts=None, measured=None, shaded=None):
@@ -29,18 +29,18 @@ def light_of(texture):
 
 
 def parts_of(contacts, textures):
-    """Contacts during a film, as fractions of the time from the first texture to the last, which is under a day."""
+    """The time of each contact, as a fraction of the time from a film's first texture to its last (less than a day)."""
     if not contacts:
         return {}
     first = textures[0].second()
     length = (textures[-1].second() - first) % 86400
-    # Headers give whole seconds, so the first and the last contact may lie half a second outside the film.
+    # Texture headers give whole seconds, so the first and the last contact may lie half a second outside the film.
     since = {name: (second_of_day(moment) - first + 1) % 86400 - 1 for name, moment in contacts.items()}
     return {name: min(max(s / length, 0), 1) for name, s in since.items() if length and s <= length + 1}
 
 
 def eclipses(first, last):
-    """Returns the program's list of eclipses between two moments. Yields progress like `program.run`."""
+    """Returns the eclipses between two moments, as listed by the program. Yields progress as `program.run` does."""
     return json.loads("".join((yield from program.run(["almanac", "--json", f"--from={first}", f"--to={last}"]))))
 
 
@@ -55,7 +55,7 @@ def bake_moment(wanted):
 
 
 def bake_shader(wanted, textures):
-    """Bakes the shader for a film's eclipse, and textures of the sunlit Moon for its first and last frame."""
+    """Bakes the shader for a film's eclipse, and textures of the sunlit Moon for the film's first and last frames."""
     day = values.day_of(wanted)
     words = ["shader", f"--eclipse={day}", *values.light_options(wanted)]
     folder = film_folder(day, words)
@@ -68,13 +68,13 @@ def bake_shader(wanted, textures):
 
 
 def film_folder(day, words):
-    """The folder for a film, with a name derived from the options that the film is made with."""
+    """The folder for a film. Its name is derived from the day and from the options with which the film is made."""
     name = hashlib.sha256("\n".join(words).encode()).hexdigest()[:12]
     return os.path.join(preferences.texture_folder(), f"{day}_{name}")
 
 
 def film_words(wanted):
-    """Command that makes a film's textures (small if a shader draws the film), and small frames with the exposures."""
+    """Arguments for baking a film's textures (small if a shader is used) and small frames, which record exposures."""
     words = ["animate", f"--eclipse={values.day_of(wanted)}", *values.options(wanted), *values.span(wanted),
              f"--frames={wanted.frames}", "--make=textures,frames", "--width=64", "--height=64", "--stars=off"]
     if not (wanted.in_sky and wanted.night):  # the world has no night sky
@@ -110,9 +110,9 @@ def bake_film(wanted):
 
 
 def bake(wanted):
-    """Yields (what, part done) while the program works, and returns Baked. Closing the generator ends the program.
+    """Yields (step, fraction done) while the program works, and returns Baked. Closing the generator ends the program.
 
-    Given  wanted  values from `values.plain`
+    Given  wanted  the Moon's values, from `values.plain`
     """
     values.require_sound(wanted)
     baked = yield from (bake_film if wanted.film else bake_moment)(wanted)
@@ -124,7 +124,7 @@ def bake(wanted):
 
 
 def show(of_moon, baked):
-    """Builds the Moon, its light, the observer and the scene from baked textures."""
+    """Sets up the Moon, its lamp, the observer's camera and the scene with baked textures."""
     wanted = of_moon.coppermoon
     material = of_moon.material_slots[0].material
     if baked.shaded:
@@ -155,7 +155,7 @@ def show(of_moon, baked):
 
 
 def new_eclipse(context, own_scene, in_sky=False):
-    """Adds a Moon that does not shine yet, and its lamp. A new scene also gets a camera, an existing sky also stars."""
+    """Adds a Moon, still dark, and its lamp. A new scene also gets a camera, and an existing scene's sky gets stars."""
     scene = film.new_scene() if own_scene else context.scene
     of_moon = moon.new_moon(scene)
     wanted = of_moon.coppermoon

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Node group "Eclipse shadow": the ratio of the light on the Moon to full sunlight, at a place and a time. It is
-computed from a strip image by the steps of a formula, which `coppermoon shader` writes into eclipse.json."""
+"""Node group "Eclipse shadow", which computes the ratio of the light on the Moon to full sunlight at a place and time.
+It evaluates a formula on a strip image. The command `coppermoon shader` writes the formula into eclipse.json."""
 import json
 import os
 
@@ -13,7 +13,7 @@ from .texture import second_of_day
 from .wrong import Wrong
 
 NAME = "Eclipse shadow"
-# For each operation, Blender's name and NumPy's function.
+# Blender's name and NumPy's function for each operation in a formula.
 MATHS = {"add": ("ADD", numpy.add), "subtract": ("SUBTRACT", numpy.subtract), "multiply": ("MULTIPLY", numpy.multiply),
          "divide": ("DIVIDE", numpy.divide), "min": ("MINIMUM", numpy.minimum), "sqrt": ("SQRT", numpy.sqrt),
          "atan2": ("ARCTAN2", numpy.arctan2), "floor": ("FLOOR", numpy.floor)}
@@ -40,7 +40,7 @@ class Shader:
         self.texels = None
 
     def time(self, texture):
-        """Seconds from greatest eclipse to a texture's moment, half a day at most in either direction."""
+        """Seconds from greatest eclipse to a texture's moment, at most half a day in either direction."""
         return (texture.second() - self.greatest + 43200) % 86400 - 43200
 
     def image(self):
@@ -49,7 +49,7 @@ class Shader:
         return image
 
     def texel(self, u, v):
-        """Values of the strip image, linearly interpolated; v is measured from the top of the image."""
+        """Colours of the strip image at (u, v), linearly interpolated. v is measured from the top of the image."""
         if self.texels is None:
             image = self.image()
             width, height = image.size
@@ -64,9 +64,9 @@ class Shader:
         return above * (1 - down) + (self.texels[j + 1, i] * (1 - right) + self.texels[j + 1, i + 1] * right) * down
 
     def light(self, places, time):
-        """The ratio of light to full sunlight, [place][channel].
+        """Ratios of the light on the Moon to full sunlight, [place][channel].
 
-        Given  places  [place][axis], Moon-fixed
+        Given  places  vectors to places on the Moon in Moon-fixed axes, [place][axis]
                time    seconds from greatest eclipse
         """
         values = []
@@ -80,7 +80,7 @@ class Shader:
 
 
 class Builder:
-    """Builds nodes for the steps of a shader's formula in a node group."""
+    """Adds the nodes that compute a shader's formula to a node group."""
 
     def __init__(self, group, shader):
         self.group, self.shader = group, shader
@@ -140,7 +140,7 @@ def add_sockets(group):
 
 
 def new_group(shader):
-    """Node group for a shader. Its inputs: place (Moon-fixed, any length) and time (seconds from greatest eclipse)."""
+    """Node group for a shader. Inputs are a Moon-fixed vector of any length, and the seconds from greatest eclipse."""
     group = bpy.data.node_groups.new(NAME, "ShaderNodeTree")
     add_sockets(group)
     builder = Builder(group, shader)
@@ -153,7 +153,7 @@ def new_group(shader):
 def drive(owner, path, first, last):
     """Makes a property change linearly with the scene's frame.
 
-    Given  first, last  two pairs (frame, value)
+    Given  first, last  two pairs (frame, value) that define the line
     """
     slope = (last[1] - first[1]) / (last[0] - first[0])
     owner.driver_remove(path)
@@ -163,7 +163,7 @@ def drive(owner, path, first, last):
 
 
 def unshadow(material):
-    """Removes the nodes of a shader from a material, so that it shows its image texture alone."""
+    """Removes the nodes of a shader from a material, so that the material shows only its image texture."""
     tree = material.node_tree
     ours = [node for node in tree.nodes if node.name.startswith(NAME)]
     for node in ours:
@@ -176,11 +176,11 @@ def unshadow(material):
 
 
 def shadow_nodes(material, shader, textures, later):
-    """Multiplies a material's image texture, the sunlit Moon, by a shader's light at the time of each frame.
+    """Multiplies a material's image texture of the sunlit Moon by the light that a shader computes for each frame.
 
-    Given  later  image of the sunlit Moon in the last frame, into which the first frame's image is blended
+    Given  later  image of the sunlit Moon in the last frame, which gradually replaces that of the first frame
 
-    Returned  socket for another colour that the result is multiplied by
+    Returned  socket for one more colour by which the result is multiplied
     """
     unshadow(material)
     tree = material.node_tree
@@ -211,11 +211,11 @@ def shadow_nodes(material, shader, textures, later):
 
 
 def shade(material, shader, sunlit, textures, lights):
-    """Makes a material show a film by means of a shader, each frame as bright as its small texture.
+    """Makes a material show a film by means of a shader. Each frame gets the brightness of its small texture.
 
-    Given  sunlit    textures of the sunlit Moon in the first and in the last frame; the first is in the material
-           textures  small textures of the film, with each frame's observer
-           lights    illuminance by channel [lux], for each texture
+    Given  sunlit    textures of the sunlit Moon in the first and the last frame; the material already shows the first
+           textures  small textures of the film, whose headers give the observer's position
+           lights    illuminance by the Moon [lux] in each channel, for each texture
     """
     factor = shadow_nodes(material, shader, textures, moon.image_of(sunlit[1]))
     before, after = (moonlight.shrunk(one) for one in sunlit)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The scene of an eclipse: black sky, time line, and the settings for rendering and view."""
+"""Sets up the scene of an eclipse: black sky, time line, and the settings for rendering and viewing."""
 import math
 import os
 
@@ -30,14 +30,14 @@ def new_scene():
 
 
 def users_device():
-    """The value of a scene's setting "device" ("CPU" or "GPU") that follows from the user's preferences for Cycles."""
+    """Value for a scene's setting "device": "CPU" or "GPU", according to the user's preferences for Cycles."""
     cycles = bpy.context.preferences.addons.get("cycles")
     kind = getattr(cycles.preferences, "compute_device_type", "NONE") if cycles else "NONE"
     return "CPU" if kind == "NONE" else "GPU"
 
 
 def set_render(scene):
-    """Sets up rendering to OpenEXR in cd/m², where each pixel is the mean over its area."""
+    """Sets up rendering to OpenEXR files in cd/m². Each pixel is the mean over its own area."""
     scene.render.engine = "CYCLES"
     cycles = scene.cycles
     cycles.device = users_device()
@@ -56,8 +56,8 @@ def set_render(scene):
 def set_time(scene, textures, parts, wanted):
     """Sets the time line from the first texture to the last, with a marker at each contact.
 
-    Given  parts   fractions of the time from the first to the last texture, by the contacts' names
-           wanted  the Moon's values
+    Given  parts   for each contact's name, its time as a fraction of the time from the first to the last texture
+           wanted  the values that the user has set for the Moon
     """
     for name in ("P1", "U1", "U2", "U3", "U4", "P4"):
         marker = scene.timeline_markers.get(name)
@@ -77,7 +77,7 @@ def set_time(scene, textures, parts, wanted):
 
 
 def remove_curve(owner, path):
-    """Removes all keyframes of a property. From Blender 4.4 on, an action keeps its curves by slot."""
+    """Removes all keyframes of a property. Since Blender 4.4, an action stores its curves by slot."""
     animation = owner.animation_data
     action = animation.action if animation else None
     if not action:
@@ -91,8 +91,8 @@ def remove_curve(owner, path):
 
 
 def exposure(texture, lux):
-    """Exposure of the view [stops] at a texture's moment; None if the disc is dark. If the film's frame is beside the
-    texture, it is the exposure that the program chose for the frame; otherwise it follows from the disc's mean light.
+    """Exposure of the view [stops] for a texture. If the program has saved a film's frame beside the texture, it is the
+    frame's exposure. Otherwise it follows from the disc's mean luminance, and is None if the disc is dark.
     """
     folder, name = os.path.split(texture.path)
     frame = os.path.join(folder, name.replace("moon_", "frame_", 1))
@@ -104,9 +104,9 @@ def exposure(texture, lux):
 
 
 def set_exposure(scene, textures, lights):
-    """Makes the view's exposure follow the light of each frame. A render in OpenEXR stays in cd/m².
+    """Adapts the view's exposure to the light in each frame. Renders to OpenEXR are not affected, and are in cd/m².
 
-    Given  lights  illuminance by channel [lux], for each texture
+    Given  lights  illuminance by the Moon [lux] in each channel, for each texture
     """
     path = "view_settings.exposure"
     remove_curve(scene, path)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The Moon: a sphere that shines with its texture alone, where 1 cd/m² becomes a radiance of 1."""
+"""The Moon as a sphere that emits the light in its texture. A luminance of 1 cd/m² becomes a radiance of 1."""
 import math
 
 import bpy
@@ -8,15 +8,15 @@ from .nodes import add, emptied, first, show
 from .texture import COLOUR_SPACES
 from .wrong import Wrong
 
-# Corners of the limb. A polygon with n corners falls short of the circle by at most 1 - cos(pi / n) of the radius: for
-# 512 corners 1.9e-5, a fiftieth of a pixel in a disc 2000 pixels wide. The limb seen from the Earth is 80 to 100
-# degrees from the middle; elsewhere a quarter of the meridians is enough.
+# Numbers of the sphere's meridians and rows. A limb with n corners falls short of a circle by at most 1 - cos(pi / n)
+# of the radius. With 512 corners this is 1.9e-5, or a fiftieth of a pixel in a disc 2000 pixels wide. The limb seen
+# from the Earth is at longitudes of 80 to 100 degrees. At other longitudes, a quarter of the meridians is enough.
 SEGMENTS, RINGS = 512, 256
 MERIDIANS = [i for i in range(SEGMENTS + 1) if abs(abs(i - SEGMENTS // 2) - SEGMENTS // 4) < SEGMENTS // 32 or i % 4 == 0]
 
 
 def first_known(owner, setting, names):
-    """Sets a property to the first of several names that Blender knows."""
+    """Sets a property to the first of the given names that Blender knows."""
     for name in names:
         try:
             setattr(owner, setting, name)
@@ -32,7 +32,7 @@ def set_colours(image, texture):
 
 
 def new_mesh():
-    """A sphere with UV coordinates in plate carrée: longitude 0 in the middle, east to the right, north up."""
+    """A sphere whose UV coordinates are plate carrée: longitude 0 in the middle, east to the right, north up."""
     across, up = MERIDIANS, range(RINGS + 1)
     uv = [(i / SEGMENTS, j / RINGS) for j in up for i in across]
     angles = [(math.tau * (u - 0.5), math.pi * (v - 0.5)) for u, v in uv]
@@ -50,8 +50,8 @@ def new_mesh():
 
 
 def keep_from_sampling(material):
-    """Keeps Cycles from sampling the sphere as a light, because the lamp lights the scene. Otherwise Cycles would
-    sample the lamp, which seems dimmer than the sphere, too rarely, and whatever the lamp lights would be noisy."""
+    """Keeps Cycles from sampling the sphere as a light source, because the lamp lights the scene instead. Otherwise
+    Cycles would take too few samples of the lamp, which seems dimmer, and the lamp's light would be noisy."""
     cycles = getattr(material, "cycles", None)
     if hasattr(cycles, "emission_sampling"):
         cycles.emission_sampling = "NONE"
@@ -79,7 +79,7 @@ def new_moon(scene):
 
 
 def texture_node(moon):
-    """The node with the Moon's texture."""
+    """The image node that shows the Moon's texture."""
     trees = [slot.material.node_tree for slot in moon.material_slots if slot.material]
     node = next(filter(None, (first(tree, "TEX_IMAGE") for tree in trees if tree)), None)
     if not node:
@@ -88,7 +88,7 @@ def texture_node(moon):
 
 
 def loaded(path, texture, name):
-    """Loads an image with the colour space of a texture."""
+    """Loads an image file, and gives the image the colour space of a texture."""
     image = bpy.data.images.load(path)
     if min(image.size) == 0:
         bpy.data.images.remove(image)
@@ -101,7 +101,7 @@ def loaded(path, texture, name):
 
 
 def image_of(texture):
-    """Loads a texture as an image, named after its moment."""
+    """Loads a texture as an image, which is named after the texture's moment."""
     return loaded(texture.path, texture, f"Moon {texture.moment()}".strip())
 
 

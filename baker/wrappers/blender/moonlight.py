@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Moonlight in a scene: a Sun lamp. Its strength is the illuminance in lux where a radiance of 1 means 1 cd/m²."""
+"""Moonlight in a scene, as a lamp of type Sun. Its strength is the illuminance in lux, because radiance is in cd/m²."""
 import math
 
 import bpy
@@ -13,7 +13,7 @@ ROWS = 128  # of the shrunk texture; enough for its light to 0.2 %
 
 
 def shrunk(texture):
-    """The scene-linear texels of a texture that is shrunk to ROWS rows: [row × column][RGB], from south to north."""
+    """Shrinks a texture to ROWS rows. Returns its scene-linear texels, [row × column][RGB], from south to north."""
     image = bpy.data.images.load(texture.path)
     try:
         set_colours(image, texture)
@@ -26,7 +26,7 @@ def shrunk(texture):
 
 
 def places_of_texels():
-    """Unit vectors from the Moon's centre to the texels of a shrunk texture, [row × column][axis], Moon-fixed."""
+    """Unit vectors from the Moon's centre to a shrunk texture's texels, in Moon-fixed axes, [row × column][axis]."""
     step = numpy.pi / ROWS
     latitude, longitude = numpy.meshgrid(step * (numpy.arange(ROWS) + 0.5) - numpy.pi / 2,
                                          step * (numpy.arange(2 * ROWS) + 0.5) - numpy.pi, indexing="ij")
@@ -38,10 +38,10 @@ def places_of_texels():
 def illuminance(texels, texture):
     """Illuminance by channel [lux] on a surface that faces the Moon at the observer's place:
 
-        E = sum L cos e dA / d^2        e: emission angle, d: distance from texel to observer
+        E = sum L cos e dA / d^2        e: emission angle, dA: area of a texel, d: its distance from the observer
 
-    Given  texels   L, from `shrunk`
-           texture  the texture whose header has the observer's place
+    Given  texels   luminances L by channel, from `shrunk`
+           texture  texture whose header gives the observer's position
     """
     places = places_of_texels()
     south, east = math.radians(texture.latitude), math.radians(texture.longitude)
@@ -54,7 +54,7 @@ def illuminance(texels, texture):
     return [max(0.0, float(value)) for value in weight @ texels]
 
 
-# Luminance of each channel in the working spaces of Blender 5, by the Color Interop Forum's names for these spaces.
+# Luminance of one unit of red, green and blue in Blender 5's working spaces. Keys are names by the Color Interop Forum.
 LUMINANCE = {
     "lin_rec709_scene": (0.2126, 0.7152, 0.0722),
     "lin_rec2020_scene": (0.2627, 0.6780, 0.0593),
@@ -63,14 +63,14 @@ LUMINANCE = {
 
 
 def luminance(colour):
-    """Luminance of a colour in Blender's working space, which is linear Rec.709 before Blender 5."""
+    """Luminance of a colour in Blender's working space. Before Blender 5, that space is linear Rec.709."""
     space = getattr(getattr(bpy.data, "colorspace", None), "working_space_interop_id", "")
     weights = LUMINANCE.get(space, LUMINANCE["lin_rec709_scene"])
     return sum(weight * channel for weight, channel in zip(weights, colour))
 
 
 def new_lamp(scene, moon):
-    """Adds a lamp, which lights the scene instead of the sphere. The sphere stays visible, directly and in mirrors."""
+    """Adds a lamp that lights the scene in place of the Moon's sphere, which stays visible directly and in mirrors."""
     lamp = bpy.data.objects.new("Moonlight", bpy.data.lights.new("Moonlight", "SUN"))
     lamp.rotation_mode = "QUATERNION"
     lamp.parent = moon
@@ -81,15 +81,15 @@ def new_lamp(scene, moon):
 
 
 def keep_dim_light(scene):
-    """Turns off the threshold below which Cycles drops light at random, because moonlight is below the default."""
+    """Turns off the threshold below which Cycles drops light at random, because moonlight is below Cycles' default."""
     if hasattr(scene, "cycles"):
         scene.cycles.light_sampling_threshold = 0
 
 
 def place_lamp(lamp, textures, lights):
-    """Makes the lamp shine from the Moon to the observer, as bright as the disc, in each frame of a film.
+    """Makes the lamp shine from the Moon towards the observer, as brightly as the disc, in each frame of a film.
 
-    Given  lights  illuminance by channel [lux], for each texture
+    Given  lights  illuminance by the Moon [lux] in each channel, for each texture
     """
     data = lamp.data
     for owner in (lamp, data):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The night sky as a scene's world, where 1 cd/m² becomes a radiance of 1. North is towards +Y, east towards +X."""
+"""The night sky as the world of a scene. A luminance of 1 cd/m² becomes a radiance of 1. North is +Y, east is +X."""
 import math
 import os
 
@@ -12,7 +12,7 @@ WIDTH = 1024  # of the sky [texels]; stars are a separate mesh
 
 
 def file_beside(texture, of_film):
-    """The path of the file for a texture's sky: beside the texture or, for a film, in the subfolder sky."""
+    """Path of the image of the sky for a texture. It is beside the texture or, for a film, in the subfolder "sky"."""
     folder, name = os.path.split(texture.path)
     if of_film:
         return os.path.join(folder, "sky", f"sky.{texture.number():04d}.exr")
@@ -20,7 +20,7 @@ def file_beside(texture, of_film):
 
 
 def domes(wanted, textures):
-    """Makes a sky file for each texture unless it exists, and returns all files. Yields progress like `program.run`."""
+    """Makes each texture's image of the sky if missing. Returns all files. Yields progress as `program.run` does."""
     light = [word for word in values.options(wanted) if not word.startswith("--texture-width")]
     files = []
     for texture in textures:
@@ -36,12 +36,12 @@ def domes(wanted, textures):
 
 
 def sky_texels(tree, place, scale):
-    """Adds a node with the sky's texels to a tree. The direction of view is the socket `place` times `scale`."""
+    """Adds a node to a node tree that samples the sky's image. The direction of view is `place` times `scale`."""
     turned = add(tree, "Mapping", {
         "Vector": place,
         "Rotation": (0, 0, -math.pi / 2),  # the image's middle, +X, is north
         "Scale": (scale, scale, scale),
-        # Shifted half a texel up, so that the sky's lowest row reaches the horizon without a dark edge from the ground.
+        # Looks half a texel higher, so that the horizon shows the sky's lowest row and is not darkened by the ground.
         "Location": (0, 0, math.pi / WIDTH)}, (-300, -400))
     return add(tree, "TexEnvironment", {"Vector": turned.outputs["Vector"]}, (0, -400))
 
@@ -57,7 +57,7 @@ def new_world():
 
 
 def texels_before(material):
-    """Adds the sky's light to the Moon's material, because air also shines in front of the Moon. Returns its node."""
+    """Adds the sky's light to the Moon's material, because the air in front of the Moon shines. Returns the node."""
     tree = material.node_tree
     if known := first(tree, "TEX_ENVIRONMENT"):
         return known
@@ -72,8 +72,8 @@ def texels_before(material):
 
 
 def put_world(of_moon, textures, files):
-    """Makes the Moon's scene use a sky as its world (in a film, one sky per frame), which also shines in front of the
-    Moon. The user's own world is kept in the file."""
+    """Sets images of the sky, one per frame in a film, as the world of the Moon's scene, and adds their light in front
+    of the Moon. The world that the user had before stays in the .blend file."""
     wanted, scene = of_moon.coppermoon, of_moon.users_scene[0]
     if not wanted.world:
         wanted.world = new_world()

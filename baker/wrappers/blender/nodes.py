@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Makes and links nodes of a material or a world in one step."""
+"""Functions that add nodes to a material or a world, and link them."""
 import bpy
 
 
 def add(tree, kind, inputs=(), at=(0, 0), **settings):
     """Adds a node to a tree.
 
-    Given  kind    type of the node, without "ShaderNode"
-           inputs  for each input, by name or number: a socket to link to it, or a value
+    Given  kind    type of the node without the prefix "ShaderNode"
+           inputs  maps the name or number of an input to its value, or to a socket to link it to
     """
     node = tree.nodes.new(kind if kind.startswith("NodeGroup") else f"ShaderNode{kind}")
     node.location = at
@@ -22,12 +22,12 @@ def add(tree, kind, inputs=(), at=(0, 0), **settings):
 
 
 def first(tree, kind):
-    """The first node of a type such as "TEX_IMAGE"; None if there is none."""
+    """The first node of the given type, such as "TEX_IMAGE". None if the tree has no such node."""
     return next((node for node in tree.nodes if node.type == kind), None)
 
 
 def emptied(owner):
-    """The node tree of a new material or world, emptied of its nodes."""
+    """Removes all nodes from the node tree of a new material or world, and returns the tree."""
     if owner.node_tree is None:  # before Blender 5
         owner.use_nodes = True
     owner.node_tree.nodes.clear()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The observer's camera. The Moon has radius 1 and stands at the origin, with longitude 0 at +X, 90 east at +Y and
+"""The observer's camera. The Moon has radius 1 and stands at the origin, with longitude 0 at +X, 90° east at +Y and
 north at +Z."""
 import math
 
@@ -11,7 +11,7 @@ from .texture import key
 
 
 def axes_of(texture, up):
-    """The camera's right, up and back (towards the observer) as unit vectors."""
+    """Unit vectors that point right, up and backwards (towards the observer) from the camera."""
     latitude, longitude = math.radians(texture.latitude), math.radians(texture.longitude)
     east = Vector((-math.sin(longitude), math.cos(longitude), 0))
     back = Vector((math.cos(latitude) * math.cos(longitude),
@@ -26,7 +26,7 @@ def axes_of(texture, up):
 
 
 def turn(thing, axes):
-    """Rotates an object to align its X, Y and Z with three given axes, along the shorter arc from its last rotation."""
+    """Rotates an object so that its X, Y and Z point along given axes. Turns the shorter way from its last rotation."""
     turned = Matrix(axes).transposed().to_quaternion()
     turned.make_compatible(thing.rotation_quaternion)
     thing.rotation_quaternion = turned
@@ -41,9 +41,9 @@ def new_camera(scene, moon):
 
 
 def set_lens(data, render, wanted):
-    """Fits the field into the shorter side of the picture, unless the user has chosen another lens since."""
+    """Fits the field of view into the picture's shorter side, unless the user has changed the lens."""
     wide = render.resolution_x * render.pixel_aspect_x > render.resolution_y * render.pixel_aspect_y
-    # Set the focal length, because Blender accepts no angle below 0.37 degrees.
+    # The focal length is set, because Blender accepts no angle of view below 0.37 degrees.
     side = data.sensor_height if wide else data.sensor_width
     values.put(wanted, data, anew=values.changed(wanted, "field"),
                sensor_fit="VERTICAL" if wide else "HORIZONTAL", lens=side / 2 / math.tan(wanted.field / 2))
@@ -52,7 +52,7 @@ def set_lens(data, render, wanted):
 def place_camera(camera, textures, wanted, render):
     """Puts the camera where the observer is, in each frame of a film.
 
-    Given  wanted  the Moon's values
+    Given  wanted  the values that the user has set for the Moon
     """
     data = camera.data
     set_lens(data, render, wanted)

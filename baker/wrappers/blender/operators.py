@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Operators that add an eclipse, bake it again and import its textures. In a window the program works in the
-background; without a window an operator waits for it."""
+"""Operators that add an eclipse, bake it again and import its textures. If Blender has a window, the program works
+in the background. Otherwise the operator waits for the program."""
 import datetime
 import os
 import time
@@ -27,7 +27,7 @@ def result(steps):
 
 
 class Running:
-    """A bake that is running in the background. There is at most one at a time, called `now`."""
+    """A bake that is running in the background. There is at most one at a time, which is stored in `now`."""
     now = None
 
     def __init__(self, moon):
@@ -53,7 +53,7 @@ def redraw(context):
 
 
 def reported(execute):
-    """Wraps an operator's method `execute`, so that a Wrong is reported to the user and cancels the operator."""
+    """Wraps an operator's method `execute`, so that an exception Wrong is reported and cancels the operator."""
     def execute_or_cancel(self, context):
         try:
             return execute(self, context) or {"FINISHED"}
@@ -122,7 +122,7 @@ class BakeEclipse(bpy.types.Operator):
         return how
 
     def cancel(self, context):
-        """Ends the program; also called when Blender closes."""
+        """Ends the program. Blender also calls this method when it closes."""
         context.window_manager.event_timer_remove(self.timer)
         Running.now.steps.close()
         Running.now = None
@@ -142,7 +142,7 @@ class StopBaking(bpy.types.Operator):
         return {"FINISHED"}
 
 
-# Lists of eclipses by years, kept here because Blender holds no reference to what the function below returns.
+# Lists of eclipses, by first and last year. They are kept here because Blender itself does not keep the lists alive.
 listed = {}
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Menus and panel: Add > Eclipse, File > Import, and the panel of a Moon in the viewport's sidebar."""
+"""Entries in the menus Add and File > Import, and the panel for a Moon in the viewport's sidebar."""
 import bpy
 
 from . import operators, saving, values

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Preferences: the path to the program and the folder for its textures."""
+"""Preferences of the add-on: the path to the program coppermoon, and the folder for baked textures."""
 import os
 import shutil
 
@@ -25,15 +25,15 @@ class CoppermoonPreferences(bpy.types.AddonPreferences):
 
 
 def chosen(name):
-    """The value of a preference; empty if the add-on is enabled for one session only, by --addons."""
+    """The path that is set in a preference. Empty if --addons enabled the add-on for one session only."""
     addon = bpy.context.preferences.addons.get(__package__)
     return bpy.path.abspath(getattr(addon.preferences, name)) if addon else ""
 
 
 def program():
-    """The path to the program."""
+    """The path to the program coppermoon."""
     where = chosen("program")
-    # a file, also without Windows' .exe; or a folder that an archive was unpacked to
+    # The preference may name the program's file, with or without .exe, or the folder of an unpacked archive.
     paths = [where] + [os.path.join(where, folder, "coppermoon") for folder in ("", "bin")] if where else ["coppermoon"]
     for path in paths:
         if found := shutil.which(path) or shutil.which(path + ".exe"):
@@ -54,7 +54,7 @@ def beside_file():
 
 
 def cache_folder():
-    """The folder for textures until the scene is saved. OpenImageIO's reader of eclipses uses the same cache."""
+    """The folder for textures until the scene is saved. Coppermoon's OpenImageIO reader uses the same cache folder."""
     if os.environ.get("COPPERMOON_CACHE"):
         return os.path.abspath(os.environ["COPPERMOON_CACHE"])
     cache = os.environ.get("LOCALAPPDATA" if os.name == "nt" else "XDG_CACHE_HOME", "")

@@ -14,7 +14,7 @@ ESCAPES = re.compile(r"\x1b\[[0-9;]*[A-Za-z]")
 
 
 class Stream:
-    """Collects the text that comes from a file descriptor. A thread waits for it, because pipes of Windows always block."""
+    """Collects text from a file descriptor. A thread waits for the text, because reading a pipe on Windows blocks."""
 
     def __init__(self, descriptor):
         self.text = ""
@@ -30,25 +30,25 @@ class Stream:
             pass
 
     def read(self):
-        """Reads all text that has arrived so far."""
+        """Appends the text that has arrived so far to `self.text`."""
         while not self.arrived.empty():
             self.text += self.arrived.get()
 
     def lines(self):
-        """The complete lines that have arrived since the last call."""
+        """Removes the complete lines from `self.text`, and returns them."""
         *whole, self.text = re.split(r"[\r\n]+", self.text)
         return [line for line in (ESCAPES.sub("", line).strip() for line in whole) if line]
 
 
 def run(words, take=lambda line: None):
-    """Runs the program. Yields (what, part done) whenever the caller asks, which should be several times a second, and
-    finally returns the lines of stdout. Closing the generator ends the program.
+    """Runs the program. Yields (step, fraction done) each time the caller asks, which should be several times a second,
+    and finally returns the lines from stdout. Closing the generator ends the program.
 
-    Given   take  function that is called with each line as it arrives
-    Throws  Wrong  if the program fails, with its last message
+    Given   take  function that is called with each line from stdout as it arrives
+    Throws  Wrong  with the program's last error message, if the program fails
     """
     path = preferences.program()
-    # It only draws its progress bar on a terminal, which Windows has no short way to make.
+    # The program draws its progress bar only on a terminal, which cannot be created easily on Windows.
     ours, theirs = os.openpty() if hasattr(os, "openpty") else os.pipe()
     try:
         process = subprocess.Popen([path, *words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=theirs,

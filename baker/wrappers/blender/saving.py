@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Keeps a saved scene's textures in the folder coppermoon beside the .blend file, because caches may be emptied."""
+"""Keeps a saved scene's textures in a folder "coppermoon" beside the .blend file, because caches may be emptied."""
 import os
 import shutil
 import sys
@@ -10,7 +10,7 @@ from . import preferences
 
 
 def name_in_cache(path):
-    """The part of a path below the cache folder; None if the path is outside that folder."""
+    """A path relative to the cache folder, or None if the path is outside that folder."""
     path = os.path.abspath(bpy.path.abspath(path))
     cache = os.path.join(os.path.abspath(preferences.cache_folder()), "")
     return path.removeprefix(cache) if path.startswith(cache) else None
@@ -48,7 +48,7 @@ def bring(image):
 
 @bpy.app.handlers.persistent
 def keep_textures(*_):
-    """Handler that runs after a scene is saved, because only then is its folder known. It saves the scene again."""
+    """Handler that runs after a scene is saved, because only then is its folder known. It saves the scene once more."""
     images = left_in_cache()
     try:
         for image in images:

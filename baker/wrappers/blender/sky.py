@@ -18,14 +18,14 @@ NONE = -5  # brighter than any star
 
 
 def direction(place):
-    """The unit vector to a place in the sky, whose altitude and azimuth the program gives in degrees."""
+    """Unit vector towards a place in the sky. The program gives the place's altitude and azimuth in degrees."""
     altitude = math.radians(place["altitude_deg"])
     azimuth = math.radians(place["azimuth_deg"])
     return Vector((math.cos(altitude) * math.sin(azimuth), math.cos(altitude) * math.cos(azimuth), math.sin(altitude)))
 
 
 def skies(wanted, textures):
-    """Returns a description of the sky for each texture, the first with stars; yields like `program.run`."""
+    """Returns the sky's state for each texture, the first with stars. Yields progress as `program.run` does."""
     accounts = []
     for texture in textures:
         lines = yield from program.run(["sky", f"--instant={texture.instant()}", f"--at={wanted.place.strip()}",
@@ -35,7 +35,7 @@ def skies(wanted, textures):
 
 
 def scale(scene):
-    """The radius of the Moon as it is shown, in the scene's units of length."""
+    """Radius of the sphere that represents the Moon, in the scene's units of length."""
     return 1000 * MOON_RADIUS_KM / NEARER / scene.unit_settings.scale_length
 
 
@@ -66,7 +66,7 @@ def star_material():
 def star_mesh(stars, distance, side):
     """A mesh with one square for each star, facing the origin.
 
-    Given  side  angle across the square [rad], over which the star's illuminance is spread
+    Given  side  angle across each square [rad]; the star's illuminance is spread over the square
     """
     corners, lights = [], []
     for star in stars:
@@ -83,13 +83,13 @@ def star_mesh(stars, distance, side):
 
 
 def pixel(scene):
-    """The angle across a pixel in the middle of the scene's picture [rad]."""
+    """Angle of view of a pixel in the middle of the scene's picture [rad]."""
     data, render = scene.camera.data, scene.render
     return 2 * math.tan(data.angle / 2) / max(render.resolution_x, render.resolution_y)
 
 
 def hang_stars(stars, scene, textures, skies_seen):
-    """Puts the stars of the first moment behind the Moon. In a film they turn about the celestial pole."""
+    """Puts the stars of the first moment behind the Moon. In a film they rotate about the celestial pole."""
     side = 2 * pixel(scene) if scene.camera else math.radians(0.05)
     old = stars.data
     stars.data = star_mesh(skies_seen[0]["stars"], BEYOND * scale(scene) * textures[0].distance, side)
@@ -114,7 +114,7 @@ def new_stars(scene):
 
 
 def hang(moon, scene, textures, skies_seen):
-    """Puts the Moon and the stars into the sky, and lets the scene's camera see that far."""
+    """Puts the Moon and the stars into the sky, and extends the camera's clipping distance to include them."""
     wanted = moon.coppermoon
     for thing in (moon, wanted.stars):
         thing.animation_data_clear()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Reads a baked texture's header, which describes the globe and its observer."""
+"""Reads the header of a baked texture, which gives the moment, the colour space and the observer's position."""
 import os
 import re
 import struct
@@ -8,7 +8,7 @@ from .wrong import Wrong
 
 MOON_RADIUS_KM = 1737.4
 
-# The name of each coppermoon:colour_space in colour/config.ocio, in Blender 4's own configuration and in Blender 3's.
+# Names of each coppermoon:colour_space in colour/config.ocio, in Blender 4's configuration and in Blender 3's.
 COLOUR_SPACES = {
     "lin_rec709": ("Linear Rec.709 (sRGB)", "Linear Rec.709", "Linear"),
     "acescg": ("ACEScg", "Linear ACEScg"),
@@ -16,8 +16,8 @@ COLOUR_SPACES = {
 }
 
 
-# The header of an OpenEXR file has a magic number, a version, and then attributes with name, type, size and value. An
-# empty name ends it.
+# The header of an OpenEXR file has a magic number, a version, and then attributes with name, type, size and value. It
+# ends with an empty name.
 
 
 def text_until_null(file):
@@ -39,7 +39,7 @@ def value_of(kind, data):
 
 
 def header_of(path):
-    """The strings, floats and rationals in an OpenEXR header, by name."""
+    """Attributes of type string, float or rational in the header of an OpenEXR file, by name."""
     try:
         with open(path, "rb") as file:
             if file.read(4) != struct.pack("<i", 20000630):
@@ -58,7 +58,7 @@ def header_of(path):
 
 
 class Texture:
-    """A baked texture and its observer's position, in degrees and lunar radii."""
+    """A baked texture, with its observer's position relative to the Moon [degrees, lunar radii]."""
 
     def __init__(self, path):
         self.path = os.path.abspath(path)
@@ -82,7 +82,7 @@ class Texture:
         return value
 
     def frame(self):
-        """The frame of the scene that shows this texture."""
+        """Number of the scene's frame that shows this texture."""
         return self.number() + self.frames_later
 
     def moment(self):
@@ -120,14 +120,14 @@ def second_of_day(text):
 
 
 def stem_of(path):
-    """The part of a name before its number, such as moon_lin_rec709. for moon_lin_rec709.0001.exr."""
+    """The part of a file name before its number, such as moon_lin_rec709. for moon_lin_rec709.0001.exr."""
     return re.sub(r"\d+\.exr$", "", path)
 
 
 def textures_of(path):
     """The texture in a file, or all textures in a film's folder in the order of their frames.
 
-    Throws  Wrong  if a frame is missing, because Blender finds the files after the first by their numbers alone
+    Throws  Wrong  if a frame is missing, because Blender finds the files after the first by consecutive numbers
     """
     if not os.path.isdir(path):
         return [Texture(path)]

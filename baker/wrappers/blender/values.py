@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The values from which an eclipse is made and which its Moon keeps, and the program's options for these values."""
+"""The values that describe an eclipse, which are stored in its Moon, and the program's options for these values."""
 import json
 import math
 import os
@@ -36,7 +36,7 @@ def described():
 
 
 def hint(word, meaning):
-    """What a meaning, such as "clear: air and ozone only; …" or "draft (5 %), …", says of a word; empty if nothing."""
+    """Finds the explanation of a word in a text such as "clear: air and ozone only; …" or "draft (5 %), …"."""
     found = re.search(rf"\b{re.escape(word)}(?:: ([^;]*)| \(([^)]*)\))", meaning)
     text = found and (found[1] or found[2]) or ""
     return text[:1].upper() + text[1:]
@@ -48,7 +48,7 @@ PARAMETERS = described()
 def choice(name, parameter, description, first=()):
     """A property for a parameter whose value is one of several words.
 
-    Given  first  words that must come first, in this order, because a .blend file stores only a word's position
+    Given  first  words that must come first, in this order, because a .blend file stores a word's position in the list
     """
     known = PARAMETERS[parameter]
     words = [*first, *(word for word in known["words"] if word not in first)]
@@ -63,7 +63,7 @@ def ends(parameter):
 
 
 class Values:
-    """The values that the user sets, in the operator that adds a Moon and later in the Moon itself."""
+    """The values that the user sets, first in the operator that adds a Moon and later in the Moon itself."""
     date: StringProperty(
         name="Date", default="2018-07-27",
         description="Day of greatest eclipse (UTC), as 2018-07-27; or a moment in UTC, as "
@@ -151,8 +151,8 @@ def changed(wanted, name):
 def put(wanted, owner, anew=False, **settings):
     """Sets several properties, unless the user has changed one of them since they were last set.
 
-    Given     wanted  the Moon's values, which remember what was set
-              anew    true sets the properties even if the user has changed them
+    Given     wanted  the Moon's values, in which the new settings are recorded
+              anew    whether to set the properties even if the user has changed them
     Returned  whether the properties were set
     """
     known = json.loads(wanted.last_set)
@@ -171,17 +171,17 @@ def was_set(wanted, name):
 
 
 def remember(wanted, name):
-    """Remembers the present value of a property, for `changed` to compare with."""
+    """Records the present value of a property, with which `changed` will compare later values."""
     wanted.last_set = json.dumps(json.loads(wanted.last_set) | {name: getattr(wanted, name)})
 
 
 def has_sky(source):
-    """Whether the Moon with these values hangs in the sky of the user's own scene."""
+    """Whether the Moon with these values is in the sky of the user's own scene."""
     return bool(source.place.strip() and getattr(source, "stars", not getattr(source, "own_scene", True)))
 
 
 def plain(source):
-    """A copy of the values, because Blender's own values are lost after an undo."""
+    """A copy of the values that remains valid after an undo, which invalidates Blender's own values."""
     return SimpleNamespace(in_sky=has_sky(source), **{name: getattr(source, name) for name in NAMES})
 
 
@@ -194,7 +194,7 @@ def is_day(values):
 
 
 def require_sound(values):
-    # A date in a stranger's file could otherwise be an option or a path.
+    # Without this check, the date in someone else's file could act as an option or a path.
     if not re.fullmatch(r"[+-]?\d[\w:.+ -]*", values.date.strip(), re.ASCII):
         raise Wrong(f"date = {values.date.strip()}; allowed is a day, as 2018-07-27, or a moment in UTC, "
                     "as 2018-07-27T20:40Z")
@@ -215,7 +215,7 @@ def moment(values):
 
 
 def options(values):
-    """The program's options for everything but the moment. They use "=", because a place may begin with a minus."""
+    """The program's options for everything but the moment, written with "=" because a place may begin with "-"."""
     words = [f"--atmosphere={values.air}", f"--quality={values.quality}",
              f"--texture-width={values.texture_width}", f"--space={values.space}"]
     if values.by_danjon:
@@ -226,7 +226,7 @@ def options(values):
 
 
 def light_options(values):
-    """The program's options that change the light in the shadow."""
+    """The program's options that affect the light in the shadow."""
     return [word for word in options(values) if not word.startswith(("--texture-width", "--at"))]
 
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Reader with which OpenImageIO opens eclipses. A recipe whose name ends in .eclipse counts as an image, namely the
-// texture that `coppermoon bake` makes from it. The program bakes the texture into a folder when the recipe is first
-// read; later reads use that file. Baking therefore never runs inside the host, and a faulty recipe cannot crash it.
+// Lets OpenImageIO read an eclipse. A recipe file whose name ends in .eclipse is read as the texture that `coppermoon
+// bake` makes from it. The program bakes the texture into a cache folder when the recipe is first read, and later reads
+// use the baked file. Baking runs in a process of its own, so that a faulty recipe cannot crash the host application.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/strutil.h>
@@ -32,20 +32,20 @@ namespace fs = std::filesystem;
 constexpr std::string_view ending = ".eclipse";
 
 /// Options that may follow a file's name, as in moon.eclipse?texture-width=2048&instant=2018-07-27. No others are
-/// allowed, because a file name in a scene must not be able to make us write other files.
+/// allowed, because a file name in someone's scene must not be able to make the program write other files.
 constexpr std::array allowed_options{"at",        "instant", "quality", "space", "texture-width",
                                      "tolerance", "type"};
 
-/// A file's name and the options that follow it.
+/// A recipe's file and the options that follow its name.
 struct Request {
   fs::path recipe;
   std::map<std::string, std::string> options;
 };
 
-/// The file that a name begins with, even if the options after it cannot be read.
+/// The file at the beginning of a name, even if the options after it cannot be parsed.
 fs::path file_in(const std::string& name) { return name.substr(0, name.find('?')); }
 
-/// Splits a name into a file and its options. Throws Error if an option cannot be read or is not allowed.
+/// Splits a name into a file and its options. Throws Error if an option cannot be parsed or is not allowed.
 Request request_of(const std::string& name) {
   Request request;
   std::string file;
@@ -60,7 +60,7 @@ Request request_of(const std::string& name) {
   return request;
 }
 
-/// Finds the program beside this library's folder (as in the build), where it was installed, or on the PATH.
+/// Finds the program above this library's folder (as in the build), where it was installed, or on the PATH.
 std::string program() {
   static const char mine = 0;
   const auto folder = files::file_that_has(&mine).parent_path();
@@ -72,11 +72,11 @@ std::string program() {
   return "coppermoon";
 }
 
-/// The environment variable that lists the recipes being read, one per line, for the program and a reader inside it.
-/// Each recipe uses the next one as its map.
+/// Environment variable that lists the recipes being read, one per line. Each recipe uses the next as its map. The
+/// variable passes the list to the program, which may itself read a recipe with this reader.
 constexpr const char* variable_of_recipes = "COPPERMOON_RECIPES_BEING_READ";
 
-/// The list of recipes being read, with one more recipe.
+/// Returns the list of recipes being read, with the given recipe appended.
 ///
 /// Throws  Error  if the recipe is already in the list
 std::string recipes_read_with(const fs::path& recipe) {
@@ -90,9 +90,9 @@ std::string recipes_read_with(const fs::path& recipe) {
   return all;
 }
 
-/// Lets the program bake, and returns what it writes to standard output.
+/// Runs the program, and returns what it writes to standard output.
 ///
-/// Throws  Error  like files::output_of, but without the program's name in front of its error message
+/// Throws  Error  for the same reasons as files::output_of, but without the program's name at the start of the message
 std::string said_by(const files::Program& program) {
   try {
     return files::output_of(program);
@@ -102,7 +102,7 @@ std::string said_by(const files::Program& program) {
   }
 }
 
-/// The path of a recipe's texture, which is baked unless it exists. Files named in the recipe are looked up beside it.
+/// Path of a recipe's texture, which is baked unless it exists. Paths in the recipe are relative to its own folder.
 fs::path texture_of(const Request& request) {
   const auto recipe = fs::absolute(request.recipe);
   std::vector<std::string> words{program(), "bake", "--recipe=" + recipe.string(),
@@ -118,8 +118,8 @@ fs::path texture_of(const Request& request) {
   return path;
 }
 
-/// Reports on stderr, once, an error in the options after a file's name. This is for oiiotool, which tries to open such
-/// a file several times, loses the reader's message and ends with "File does not exist".
+/// Prints an error about a file name with options to stderr, once. This helps users of oiiotool, which tries to open
+/// such a file several times, drops the reader's message, and ends with "File does not exist".
 void say_once(const std::string& wrong) {
   static std::mutex alone;
   static std::string last;
@@ -128,7 +128,7 @@ void say_once(const std::string& wrong) {
   std::fputs(fmt::format("coppermoon: {}\n", wrong).c_str(), stderr);
 }
 
-/// Reads the texture that a recipe describes.
+/// OpenImageIO's reader for the texture that a recipe describes.
 class EclipseInput final : public OIIO::ImageInput {
  public:
   const char* format_name() const override { return "eclipse"; }
@@ -192,7 +192,7 @@ class EclipseInput final : public OIIO::ImageInput {
   }
 
  private:
-  /// Passes on the error message of the texture's own reader, if reading failed.
+  /// If reading failed, passes on the error message of the texture's own reader. Returns `done`.
   bool read(bool done) {
     if (!done) errorfmt("{}", texture_ ? texture_->geterror() : "no eclipse is open");
     return done;
@@ -204,7 +204,7 @@ class EclipseInput final : public OIIO::ImageInput {
 }  // namespace
 }  // namespace coppermoon::wrappers
 
-// OpenImageIO looks for these names in a library called eclipse.imageio.so. The format is not called coppermoon,
+// OpenImageIO looks up these names in a library called eclipse.imageio.so. The format is not called coppermoon,
 // because OpenImageIO's writers drop attributes that begin with the name of another format, such as coppermoon:recipe.
 extern "C" {
 OIIO_EXPORT int eclipse_imageio_version = OIIO_PLUGIN_VERSION;

@@ -18,7 +18,7 @@ bool is_of(py::handle object, const char* package, const char* type) {
   return py::isinstance(object, py::module_::import(package).attr(type));
 }
 
-/// The text of a moment that is given as a string, a date, or NumPy's datetime64 in UTC; nullopt for anything else.
+/// Text of a moment that is given as a string, a date, or NumPy's datetime64 in UTC. Any other type gives nullopt.
 std::optional<std::string> text_of_moment(py::handle moment) {
   if (py::isinstance<py::str>(moment)) return moment.cast<std::string>();
   if (is_of(moment, "datetime", "date") && !is_of(moment, "datetime", "datetime"))

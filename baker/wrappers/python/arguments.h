@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Converts Python's arguments: moments, places, words, arrays. To be included wherever these are taken or returned.
+// Converts moments, places, words and arrays from and to Python. Include it wherever functions take or return them.
 #pragma once
 
 #include <fmt/format.h>
@@ -27,19 +27,19 @@ namespace coppermoon::python {
 
 namespace py = pybind11;
 
-/// A moment of an eclipse, given as a datetime with a time zone; an ISO 8601 text; NumPy's datetime64 (UTC); a day,
-/// which stands for the greatest eclipse on it; or a day and a contact, moonrise or moonset.
+/// A moment of an eclipse. It is given as a datetime with a time zone, an ISO 8601 text, NumPy's datetime64 (UTC), a
+/// day alone, which stands for its greatest eclipse, or a day with a contact, moonrise or moonset.
 struct Moment {
   std::string text;
-  std::optional<almanac::Instant> instant{};  ///< set instead of `text` if given as a datetime
+  std::optional<almanac::Instant> instant{};  ///< set instead of `text` for a datetime
 
-  /// The instant of this moment. Moonrise and moonset need an observer. Throws Error like uses::moment_in.
+  /// The instant of this moment. Moonrise and moonset need an observer. Throws Error if uses::moment_in does.
   almanac::Instant seen_from(const std::optional<almanac::Observer>& observer) const {
     return instant ? *instant : uses::moment_in(text, {observer});
   }
 };
 
-/// The start, the end or the middle of a search, given like a Moment, except that a day alone means its midnight.
+/// The date at which a search starts, ends or is centred. It is given like a Moment, but a day alone is its midnight.
 struct Date {
   almanac::Instant instant;
 };
@@ -55,12 +55,12 @@ almanac::Instant instant_of(py::handle moment);
 Moment moment_of(py::handle moment);
 almanac::Instant instant_of_date(py::handle date);
 
-/// A datetime in UTC, to the millisecond.
+/// Converts an instant to a datetime in UTC, to the millisecond.
 ///
-/// Throws  Error  outside the years 1 to 9999, the only ones that a datetime can hold
+/// Throws  Error  if the year is outside 1 to 9999, because a datetime cannot hold it
 py::object datetime_of(const almanac::Instant& instant);
 
-/// Converts a text from utc_text, with milliseconds, to a datetime.
+/// Converts a text that utc_text wrote, with milliseconds, to a datetime.
 py::object datetime_of(const std::string& text);
 
 /// Throws  Error  if no city has the name, or a number is out of range
@@ -79,7 +79,7 @@ std::vector<double> numbers_of(const char* what, py::handle numbers);
 /// Throws  Error  if `copy` is false and the dtype requires a copy
 py::object converted(const py::object& array, const py::object& dtype, std::optional<bool> copy);
 
-/// The words for the values of an enumeration. They are the same as in the command's options.
+/// The words that stand for the values of an enumeration. The program's command-line options use the same words.
 template <class Value>
 struct Words;
 
@@ -100,7 +100,7 @@ struct Words<texture::Coding> {
   static constexpr auto all = texture::coding_words;
 };
 
-/// Throws  Error  if the word is not one of those allowed; the message lists them
+/// Throws  Error  if the word is not allowed; the message lists the allowed words
 template <HasWords Value>
 Value value_of(std::string_view word) {
   std::string allowed;
@@ -118,9 +118,9 @@ const char* word_of(Value value) {
   return "none";
 }
 
-/// An array that owns the object it is made from, so that nothing is copied.
+/// A NumPy array that takes over the object that holds its numbers, so that nothing is copied.
 ///
-/// Given  numbers  anything that has data() or values(), with as many elements as the shape
+/// Given  numbers  an object that has data() or values(), with as many elements as the shape
 template <class Number, class Owner>
 py::array_t<Number> array_of(Owner&& numbers, std::vector<py::ssize_t> shape) {
   auto* kept = new std::remove_cvref_t<Owner>(std::forward<Owner>(numbers));

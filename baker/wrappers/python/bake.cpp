@@ -11,13 +11,13 @@
 namespace coppermoon::python {
 namespace {
 
-/// A part of a texture with its texels in memory.
+/// One part of a texture, such as a pass, with its texels in memory.
 struct Texels {
   std::string name;
   texture::Image image;
 };
 
-/// A texture in the form that Python keeps: its values by name.
+/// A texture as its Python object stores it: a dictionary of values by name.
 struct Texture {
   py::dict values;
 };
@@ -46,7 +46,7 @@ py::array_t<float> array_of_image(texture::Image image) {
   return array_of<float>(std::move(image.values), shape);
 }
 
-/// Reads the rows of a part a few at a time, so that the work can be stopped in between.
+/// Reads a part of a texture a few rows at a time, so that the work can be interrupted in between.
 texture::Image image_of(const texture::Part& part) {
   const auto& layout = part.layout;
   texture::Image image(layout.width, layout.height, layout.channels);

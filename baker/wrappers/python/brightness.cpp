@@ -26,7 +26,7 @@ Told<uses::MoonBrightness> brightness_at(const Moment& when, const std::optional
   }));
 }
 
-/// The columns of a light curve as arrays, with moments in UTC.
+/// The columns of a light curve as arrays by name, with the moments in UTC.
 py::dict light_curve(const Moment& first, const Moment& last, double step_min,
                      const std::optional<uses::Air>& air,
                      const std::optional<uses::LightRequest>& light, const std::optional<Place>& at,

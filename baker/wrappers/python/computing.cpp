@@ -11,8 +11,8 @@ namespace {
 
 namespace py = pybind11;
 
-/// The exception that ends the work. It is not one of Python's, because it crosses threads and libraries that do not
-/// know Python.
+/// The exception that ends the work early. It is not a Python exception, because it passes through threads and
+/// libraries that know nothing of Python.
 struct Stopped {};
 
 }  // namespace

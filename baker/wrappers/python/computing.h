@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs long work while other Python threads keep running. Ctrl-C ends the work; a callback receives its progress.
+// Runs long work without blocking other Python threads. Ctrl-C ends the work, and a callback receives its progress.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -15,11 +15,11 @@ namespace coppermoon::python {
 /// An optional Python function that receives the fraction of the work that is done.
 using Callback = std::optional<pybind11::function>;
 
-/// Runs work on another thread, without Python's lock. Twenty times a second the calling thread checks whether Ctrl-C
-/// was pressed, and tells the callback how far the work has come. If Ctrl-C or the callback raises an exception, the
-/// work ends when it next reports its progress, and the exception is then raised again.
+/// Runs work on another thread, without holding Python's global lock. Twenty times a second, the calling thread checks
+/// whether Ctrl-C was pressed, and tells the callback how far the work has come. If Ctrl-C or the callback raises an
+/// exception, the work ends when it next reports its progress, and the exception is then raised again.
 ///
-/// Throws  whatever the work throws; error_already_set for an exception of Python
+/// Throws  whatever the work throws, or error_already_set after an exception in Python
 void run(const Callback& callback, const std::function<void(const algebra::Progress&)>& work);
 
 /// Calls a function through `run` and returns its value.
@@ -32,7 +32,7 @@ auto computed(const Callback& callback, Work&& work) {
   return std::move(*made);
 }
 
-/// Reports the progress of a part of the work, which covers `from` to `to` of the whole, as progress of the whole.
+/// Progress function for a part of the work. The part's fractions 0 to 1 are reported to `whole` as `from` to `to`.
 inline algebra::Progress part_of(const algebra::Progress& whole, double from, double to) {
   return [=](double part) { whole(from + (to - from) * part); };
 }

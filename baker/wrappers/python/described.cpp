@@ -25,7 +25,7 @@ using request::Kind, request::Parameter, request::Parameters;
 const std::map<std::string, std::string, std::less<>> renamed{
     {"region", "regions"}, {"spectral", "spectral_nm"}, {"texture-width", "width"}};
 
-/// Parameters whose type has an alias in the stub.
+/// Parameters whose type has a name of its own in the type stub.
 const std::map<std::string, std::string, std::less<>> aliases{
     {"space", "Space"}, {"stratospheric-aerosol", "Stratosphere"}};
 
@@ -74,7 +74,7 @@ std::string python_word(std::string word) {
   return word;
 }
 
-/// The type in the stub for a value of the given kind, or for one value in a list.
+/// Python type, as written in the type stub, for a value of the given kind.
 std::string type_named(result::Kind kind, const result::Field& field) {
   using result::Kind;
   switch (kind) {
@@ -131,7 +131,7 @@ Parameters parameters_of(uses::LightRequest& light) {
   all.add(request::parameter("--tolerance", light.wish.tolerance,
                              "largest relative error of luminance on the disc, 1e-4 to 0.5"))
       .within(1e-4, 0.5)
-      .usual.clear();  // no tolerance if only a budget is given
+      .usual.clear();  // no default, because a budget may replace it
   all.add(request::parameter("--budget-s", light.wish.budget_s,
                              "time that the light may take [s], 1e-3 to 1e7"))
       .within(1e-3, 1e7);

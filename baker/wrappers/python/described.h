@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How Python shows the parameters of requests: their names, types, values and docstrings. The module and its stub are
-// made from these descriptions.
+// Names, types, values and docstrings that the parameters of requests have in Python. The module and its type stub are
+// made from them.
 #pragma once
 
 #include <string>
@@ -14,13 +14,13 @@
 
 namespace coppermoon::python {
 
-/// The parameters of a Python class. Those of Air and Region are described in `uses`; Light adds a tolerance and a
-/// budget.
+/// The parameters of the Python classes Air, Region and Light. Those of Air and Region are described in `uses`. Light
+/// also has a tolerance and a budget.
 request::Parameters parameters_of(uses::Air& air);
 request::Parameters parameters_of(uses::AirRegion& region);
 request::Parameters parameters_of(uses::LightRequest& light);
 
-/// The requests behind the keywords of `bake`, with their defaults.
+/// The requests that the keyword arguments of `bake` set, with their defaults.
 struct TextureKeywords {
   uses::MoonRequest moon{.texture_width = 4096};
   uses::ViewRequest view{};
@@ -28,14 +28,14 @@ struct TextureKeywords {
                                .type = texture::ExrType::floating};
 };
 
-/// The requests behind the keywords of `dome`.
+/// The requests that the keyword arguments of `dome` set, with their defaults.
 struct DomeKeywords {
   TextureKeywords moon{.moon = {}};
   uses::DomeRequest dome{.content = {.space = colour::WorkingSpace::linear_rec709,
                                      .type = texture::ExrType::floating}};
 };
 
-/// The keywords of `bake`, `brightness`, `dome` and `fit`, except those passed as objects: air, light, place.
+/// Keyword arguments of `bake`, `brightness`, `dome` and `fit`, except the objects air, light and place.
 request::Parameters bake_keywords(TextureKeywords& keywords);
 request::Parameters brightness_keywords(TextureKeywords& keywords);
 request::Parameters dome_keywords(DomeKeywords& keywords);
@@ -47,25 +47,25 @@ std::string name_of(const request::Parameter& parameter);
 /// Whether a parameter may be None, which means that it has no value.
 bool may_be_none(const request::Parameter& parameter);
 
-/// A parameter's annotation in the stub, such as "float | None".
+/// A parameter's type annotation in the stub, such as "float | None".
 std::string type_of(const request::Parameter& parameter);
 
 /// A parameter's value as a Python literal: "None", "True", "280.0", "'standard'", "[Region(cloud_cover=1.0)]".
 std::string literal_of(const request::Parameter& parameter);
 
-/// A parameter's meaning as text, in which other parameters are called by their Python names.
+/// Text that explains a parameter, in which other parameters have their Python names.
 std::string meaning_of(const request::Parameter& parameter);
 
 /// All parameters with their values, as in a signature: "ozone_du=None, cloud_cover=None".
 std::string signature_of(const request::Parameters& parameters);
 
-/// A line "name: meaning" for each parameter.
+/// Text with one line "name: meaning" for each parameter.
 std::string lines_of(const request::Parameters& parameters);
 
-/// The annotation of a result's property in the stub, such as "float | None".
+/// The type annotation of a result's property in the stub, such as "float | None".
 std::string type_of(const result::Field& field);
 
-/// A line "key: meaning [unit]" for each field.
+/// Text with one line "key: meaning [unit]" for each field.
 std::string lines_of(const result::Fields& fields);
 
 /// A request as text, such as "Air(ozone_du=250.0)". Only parameters that differ from the defaults are shown.

@@ -12,7 +12,7 @@
 namespace coppermoon::python {
 namespace {
 
-/// A dome in the form that Python keeps: its values by name.
+/// A dome as its Python object stores it: a dictionary of values by name.
 struct Dome {
   py::dict values;
 };

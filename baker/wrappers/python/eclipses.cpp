@@ -12,7 +12,7 @@ namespace {
 
 using eclipse::Eclipse, eclipse::ShadowConvention;
 
-/// Finds the eclipses a few years at a time, so that the search can be stopped in between.
+/// Searches for eclipses a few years at a time, so that the search can be interrupted in between.
 py::list eclipses_in(const Date& start, const Date& stop, ShadowConvention convention,
                      const Callback& callback) {
   constexpr double at_a_time_s = 2e8;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parameters of requests, as keywords and as fields of Python classes.
+// Makes keyword arguments and fields of Python classes from the parameters of requests.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,17 +13,17 @@ namespace coppermoon::python {
 
 namespace py = pybind11;
 
-/// Sets parameters from keywords. Warns about keywords that have no effect in combination with the others.
+/// Sets parameters from keyword arguments. Warns about those that have no effect in combination with the others.
 ///
 /// Given   function    name of the Python function, for error messages
-/// Throws  type_error  if a keyword is unknown, or a value has the wrong type
+/// Throws  type_error  if a keyword is unknown or a value has the wrong type
 ///         Error       if a value is not allowed
 void take(request::Parameters parameters, const std::string& function, const py::dict& keywords);
 
-/// The value of a parameter as a Python object: a number, a bool, a string, regions, or None.
+/// The value of a parameter as a Python object: a number, a bool, a string, a list of regions, or None.
 py::object value_of(const request::Parameter& parameter);
 
-/// Adds the Python class of a request. Objects of the class are made from keywords, and have read-only fields.
+/// Adds a Python class for a request. Its objects are made from keyword arguments, and their fields are read-only.
 template <class Request>
 void add_class(py::module_& package, const char* type, const std::string& text) {
   Request fresh;

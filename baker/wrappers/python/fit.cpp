@@ -16,7 +16,7 @@
 
 namespace coppermoon::python {
 
-/// Converts a fitted night for Python, together with all numbers of its tone curve and its measured light.
+/// Converts the fit's results for one night to Python, including the whole tone curve and all measured light.
 template <>
 Told<uses::FittedNight> told(const uses::FittedNight& night) {
   Told<uses::FittedNight> made;
@@ -62,7 +62,7 @@ std::vector<uses::MeasuredMagnitude> measured_by(const py::iterable& rows) {
   return all;
 }
 
-/// The unknowns with the given name. Without a name the result is nullopt, which means the unknowns that suit the air.
+/// The set of unknowns with the given name. Without a name it is nullopt, so that the fit chooses by its air.
 std::optional<uses::Unknowns> unknowns_named(const std::optional<std::string>& name) {
   if (!name) return std::nullopt;
   if (*name == "factors") return uses::Unknowns::factors;

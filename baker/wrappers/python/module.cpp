@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The extension module coppermoon._coppermoon, whose names coppermoon/__init__.py exports.
+// The extension module coppermoon._coppermoon. The package exports its names through coppermoon/__init__.py.
 #include "algebra/error.h"
 #include "wrappers/python/arguments.h"
 #include "wrappers/python/nouns.h"
@@ -7,7 +7,7 @@
 PYBIND11_MODULE(_coppermoon, package) {
   using namespace coppermoon;
   pybind11::options options;
-  options.disable_function_signatures();  // docstrings begin with signatures of our own
+  options.disable_function_signatures();  // our docstrings begin with their own signatures
   package.attr("__version__") = COPPERMOON_VERSION;
   pybind11::register_exception<algebra::Error>(package, "Error", PyExc_ValueError).doc() =
       "Wrong input, in one line: the value, its unit, what is allowed.";

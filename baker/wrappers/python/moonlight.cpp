@@ -16,7 +16,7 @@
 namespace coppermoon::python {
 namespace {
 
-/// Ratios of light to unobstructed sunlight by place, which a Moonlight keeps under the key "_ratios".
+/// Table of the ratio of light to unobstructed sunlight. A Python object Moonlight stores it under the key "_ratios".
 struct Ratios {
   almanac::SkyState sky;
   shadow::Lookup lookup;
@@ -42,7 +42,7 @@ void restore(algebra::Grid<float>& grid, py::handle from) {
   std::copy_n(array.data(), array.size(), grid.values().begin());
 }
 
-/// References to all numbers in a moment and a table, for storing or restoring them.
+/// References to the members of an instant and a lookup table that are saved and restored by Python's pickle.
 template <class Instant, class Table>
 auto members(Instant& when, Table& table) {
   return std::tie(when.tt_day, when.tt_fraction, table.channels, table.depths_m,
@@ -88,7 +88,7 @@ Told<LitSphere> lit_sphere(const Moment& when, const std::optional<uses::Air>& a
 
 using Degrees = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// Ratios of light to unobstructed sunlight at places on the Moon, one per wavelength.
+/// Ratios of light to unobstructed sunlight, for each place on the Moon and each wavelength.
 std::vector<double> read_all(const Ratios& moon, const Degrees& latitudes,
                              const Degrees& longitudes) {
   const auto axis = eclipse::shadow_axis(moon.sky);

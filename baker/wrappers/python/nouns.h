@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of the package. Each function adds the classes and functions of one part to the module.
+// Functions that fill the Python module. Each of them adds the classes and functions for one subject.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Results that exist only in Python.
+// Results that exist only in the Python package.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace coppermoon::python {
 
-/// A SeenSky that also describes its vectors and its matrix, as arrays.
+/// A SeenSky that also gives Python its vectors and its matrix, as arrays.
 struct SkyOfArrays : eclipse::SeenSky {};
 
 inline algebra::Grid<double> grid_of(const glm::dmat3& matrix) {

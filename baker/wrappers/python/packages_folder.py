@@ -3,8 +3,8 @@
 
     python3 packages_folder.py PREFIX
 
-Debian's interpreter has its own folders: lib/python3/dist-packages below /usr, lib/python3.11/dist-packages below
-/usr/local.
+Debian's interpreter uses folders of its own: lib/python3/dist-packages below /usr, and lib/python3.11/dist-packages
+below /usr/local.
 """
 import sys
 import sysconfig

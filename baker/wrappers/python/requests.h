@@ -9,7 +9,7 @@
 
 namespace coppermoon::python {
 
-/// A request for light through some air. Without `air` or `light`, the library's defaults apply.
+/// Request for light that combines the arguments `air` and `light`. If one is absent, the library's defaults apply.
 inline uses::LightRequest light_request(const std::optional<uses::Air>& air,
                                         const std::optional<uses::LightRequest>& light) {
   auto request = light.value_or(uses::LightRequest{});

@@ -15,7 +15,7 @@ bool are_equal_arrays(py::handle a, py::handle b) {
   return same("dtype") && same("shape") && a.attr("tobytes")().equal(b.attr("tobytes")());
 }
 
-/// A value as text; an empty string for None.
+/// A value as text. None becomes an empty string.
 std::string text_of(py::handle value) {
   constexpr std::size_t most_shown = 8;
   if (value.is_none()) return "";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes Python classes from results that describe themselves, with properties, docstrings, repr, equality and pickling.
+// Makes Python classes with properties, docstrings, repr, equality and pickling from results that describe themselves.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,18 +14,18 @@
 
 namespace coppermoon::python {
 
-/// A result in the form that Python keeps: the values that it describes, by their keys. An instant is kept as text,
-/// because a datetime can only hold the years 1 to 9999.
+/// A result as its Python object stores it: a dictionary of the values that the result describes. Instants are stored
+/// as text, because a datetime can only hold the years 1 to 9999.
 template <class Result>
 struct Told {
   py::dict values;
 };
 
-/// Converts a result for Python.
+/// Converts a result to the form in which its Python object stores it.
 template <result::Described Result>
 Told<Result> told(const Result& result);
 
-/// Converts a value that a result describes to the Python object that Told keeps.
+/// Converts one of a result's values to the Python object that Told stores.
 template <class Value>
 py::object kept(const Value& value) {
   if constexpr (result::is_a<Value, std::optional>) {
@@ -58,7 +58,7 @@ py::object kept(const Value& value) {
   }
 }
 
-/// Visitor for `describe` that keeps the values of a result.
+/// Visitor for `describe` that stores a result's values in a dictionary.
 struct Keeps {
   py::dict& values;
 
@@ -80,16 +80,16 @@ Told<Result> told(const Result& result) {
   return made;
 }
 
-/// The value of a result's property. The text of an instant becomes a datetime.
+/// The value of a result's property. An instant, which is stored as text, becomes a datetime.
 ///
-/// Throws  Error  like datetime_of
+/// Throws  Error  if datetime_of does
 py::object shown(const result::Field& field, const py::dict& values);
 
-/// A result as text, such as "Eclipse(type='total', gamma=0.117)". It leaves out values that are None, and shows only
-/// the shape of arrays.
+/// A result as text, such as "Eclipse(type='total', gamma=0.117)". Values that are None are left out, and only the
+/// shape of arrays is shown.
 std::string text_of(const std::string& type, const py::dict& values);
 
-/// Whether two kept values are the same. Arrays are compared by their bytes, results value by value in key order.
+/// Whether two stored values are equal. Arrays are compared byte by byte, and results value by value.
 bool are_equal(py::handle a, py::handle b);
 
 /// Adds a Python class for results, with a property for each field.
@@ -119,7 +119,7 @@ py::class_<Told<Result>> add_result(py::module_& package) {
   return add_kept<Told<Result>>(package, result::fields_of<Result>());
 }
 
-/// Lets NumPy use an object like the array that the object keeps under a key.
+/// Lets NumPy treat an object as the array that the object stores under the given key.
 template <class Kept>
 void add_array_protocol(py::class_<Kept>& made, const char* key) {
   using namespace py::literals;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes the package's stub from its template, where a line @NAME@ stands for the parameters of a class or function.
+// Writes the package's type stub. In its template, a line @NAME@ stands for the parameters of a class or function.
 #include <fmt/format.h>
 
 #include <iostream>
@@ -16,7 +16,7 @@
 namespace coppermoon::python {
 namespace {
 
-/// The type in the stub for an argument, which may also be a NumPy number or a path.
+/// Type in the stub for an argument. Numbers may also be NumPy's, and files may be path objects.
 std::string taken_type(const request::Parameter& parameter) {
   auto type = type_of(parameter);
   const auto end = type.find(" |");

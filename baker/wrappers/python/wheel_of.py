@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Makes a wheel from a built package, without network. pip can install it on systems with the same libraries.
+"""Makes a wheel from a built package, without network access. pip can install it on systems with the same libraries.
 
     python3 wheel_of.py PACKAGE VERSION FOLDER [MINOR]
 
-Given   MINOR  of another Python 3 that the package was built for, as 14
+Given   MINOR  minor version, such as 14, if the package was built for another Python 3
 """
 import pathlib
 import shutil

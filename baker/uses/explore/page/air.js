@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Applies the user's changes to the Earth's air, and computes the transmittance along rays at the limb.
 
-/** Air as it was on that day. */
+/** The air on the day of the eclipse, without changes. */
 export const airAsItWas = {
   refraction: true, scattering: true, ozone: true, gases: true, aerosol: true, clouds: true,
   cloud: 1,  // multiplies the chance of cloud and the amount of cirrus
   haze: 1,  // multiplies the aerosol below the stratosphere
-  dust: null,  // optical depth of stratospheric aerosol at 550 nm; null leaves it as it was
-  ozoneDu: null,  // ozone column, the same everywhere [Dobson units]; null leaves it as it was
+  dust: null,  // optical depth of stratospheric aerosol at 550 nm; null keeps that of the day
+  ozoneDu: null,  // ozone column, the same everywhere [Dobson units]; null keeps that of the day
   clearness: 0,  // fraction of cloud and aerosol removed; if negative, optical depth added to the stratosphere
 };
 
-/** Share of cloud and aerosol left by the clearness. */
+/** Share of cloud and aerosol that the clearness leaves. */
 export const remaining = (air) => 1 - Math.max(0, air.clearness);
 
 /** Mean of a value over the parts of the limb. */
@@ -31,7 +31,7 @@ export function aerosolDepth(air, part) {
   return asIs * remaining(air) - Math.min(0, air.clearness);
 }
 
-/** Factors on the absorbers' amounts in one part of the limb, by group; 0 for stratospheric aerosol, handled apart. */
+/** Factors for the absorbers' amounts in one part of the limb, by group. The stratosphere has 0: see aerosolAlong. */
 export function factors(air, part, groups) {
   const on = (term) => (term ? 1 : 0);
   const all = {
@@ -58,7 +58,7 @@ export class LimbRays {
     this.waves = facts.wavelengths.length;
     this.heights = arrays['limb.heights'].data;
     this.rays = this.heights.length;
-    this.refractivities = arrays['limb.bending'].shape[1];  // how many; the last is 0 (straight rays)
+    this.refractivities = arrays['limb.bending'].shape[1];  // number of refractivities, the last of which is 0
     for (const name of ['bending', 'excess', 'amounts', 'spectra', 'aerosol', 'aerosolSpectra', 'recordedSpectra', 'blend'])
       this[name] = arrays[`limb.${name}`].data;
     this.absorbers = facts.limb.absorbers.length;
@@ -115,7 +115,7 @@ export class LimbRays {
     return depth <= steps[0] ? along(0) * depth / steps[0] : this.betweenSteps(depth, along);
   }
 
-  /** Spectrum of the month's own aerosol at another optical depth. */
+  /** Spectrum of the aerosol recorded in the month, for another optical depth. */
   recordedSpectrum(part, wave, depth) {
     const steps = this.limb.aerosolSteps;
     return this.betweenSteps(Math.max(depth, steps[0]),
@@ -127,7 +127,7 @@ export class LimbRays {
     const kind = this.parts[part];
     const depth = aerosolDepth(air, kind);
     const asItWas = depth > 0 && depth === kind.aerosolDepth;
-    // clearness scales the month's recorded aerosol profile, as in the program; the slider uses a standard profile
+    // clearness scales the month's recorded aerosol profile, as in the program, but the slider uses a standard profile
     const scaled = !asItWas && depth > 0 && air.dust === null && kind.aerosolRecorded && kind.aerosolDepth > 0;
     const weights = factors(air, kind, this.limb.absorbers), stratosphere = this.limb.absorbers.indexOf('stratosphere');
     if (asItWas) weights[stratosphere] = 1;

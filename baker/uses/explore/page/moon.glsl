@@ -9,27 +9,27 @@ precision highp sampler3D;
 uniform vec3 centre;         // position of the Moon's centre
 uniform float sunDistance;
 uniform float moonRadius;
-uniform mat3 moonFromShadow; // rotation to Moon-fixed axes
+uniform mat3 moonFromShadow; // rotation from the shadow's axes to Moon-fixed axes
 uniform float earthRadius;
 uniform float au;
 
-// log2 of light. Row: plane and sector; column: node, for the reddest and then the bluest ground
+// Table of log2 of light. Rows are planes and sectors. Columns are nodes, each for the reddest, then the bluest ground.
 uniform sampler2D light;
 uniform int nodes, sectors;
-uniform vec3 ends, stretches;  // where each stretch of axis distance ends, and how many nodes it has
+uniform vec3 ends, stretches;  // axis distances at which stretches of nodes end, and their numbers of nodes
 uniform vec2 depths;         // depths of the two planes
 uniform float middleDepth;
 
 uniform sampler2D map;       // logarithm of albedo, scaled to 0 to 1
-uniform vec2 mapLogs;        // smallest logarithm of albedo, and range
-uniform vec2 mapLongitudes;  // first longitude of the map, and range [rad]
+uniform vec2 mapLogs;        // the map's smallest logarithm of albedo, and its range of logarithms
+uniform vec2 mapLongitudes;  // the map's first longitude, and its range of longitudes [rad]
 
 uniform sampler2D ground;    // the ground's colour and opposition surge, each scaled to 0 to 1
 uniform vec2 groundLongitudes;
 uniform float widestSurge;
 
-uniform vec4 law;            // photometric law: scale, and coefficients of incidence, emission and 1
-uniform float phases[61], surges[61];  // phase factors, and their change per unit of surge
+uniform vec4 law;            // photometric law: scale, and coefficients of incidence, emission and a constant
+uniform float phases[61], surges[61];  // phase factors, and their change per unit of opposition surge
 uniform float phaseStep;     // phase angle between table entries [rad]
 uniform bool shadowed;
 
@@ -99,7 +99,7 @@ vec2 onMap(vec3 normal) {
 float albedoAt(vec2 place) {
   vec2 at = vec2((place.x - mapLongitudes.x) / mapLongitudes.y, place.y);
 #ifdef RAW
-  if (atPlaces) return exp(mapLogs.x + mapLogs.y * textureLod(map, at, 0.0).r);  // no mipmaps for unrelated places
+  if (atPlaces) return exp(mapLogs.x + mapLogs.y * textureLod(map, at, 0.0).r);  // mipmaps need neighbouring places
 #endif
   return exp(mapLogs.x + mapLogs.y * texture(map, at).r);
 }
@@ -147,10 +147,10 @@ void main() {
   bits = floatBitsToUint(value);
 }
 #else
-uniform float exposure;      // pixel value for 1 cd/m²; 1 saturates
+uniform float exposure;      // pixel value for 1 cd/m²; a value of 1 is saturated
 uniform int look;            // 0 is plain sRGB, 1 a table, 2 false colours in stops, 3 hue-preserving
 uniform sampler3D view;
-uniform vec2 viewCode;       // gain and stops of the table's axes
+uniform vec2 viewCode;       // gain and stops of the view table's axes
 uniform float viewSize;
 uniform vec3 around;         // light of the sky around and in front of the Moon [cd/m²]
 uniform float fullMoon;      // luminance of a full Moon [cd/m²]

@@ -69,7 +69,7 @@ export class Page {
     this.curve = null;
   }
 
-  /** Sets the light that the observer sees, and the light that the exposure follows, which is in the air as it was. */
+  /** Sets the light that the observer sees, and the light in unchanged air, which the exposure follows. */
   setSeen({trueAltitude}) {
     const {place, reddening, exposure} = this.state, key = [trueAltitude, place?.elevationKm, exposure.rule].join();
     const through = (sightline) => sightline.table(trueAltitude, place.elevationKm ?? 0);
@@ -88,7 +88,7 @@ export class Page {
     const {canvas} = this.picture, ratio = Math.min(2, window.devicePixelRatio || 1);
     const width = Math.max(1, Math.round(canvas.clientWidth * ratio));
     const height = Math.max(1, Math.round(canvas.clientHeight * ratio));
-    canvas.style.touchAction = this.state.zoom > 1 ? 'none' : 'pan-y';  // fingers move an enlarged Moon
+    canvas.style.touchAction = this.state.zoom > 1 ? 'none' : 'pan-y';  // fingers drag an enlarged Moon
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
     const pixel = 2.3 / this.state.zoom / Math.min(width, height);
     return {middle: this.state.middle, pixel, width, height, ratio};
@@ -345,7 +345,7 @@ export class Page {
 
   /** Lets a finger or the mouse move an enlarged Moon, and lets two fingers zoom around the place between them. */
   pointers(canvas) {
-    const held = new Map();  // position [x, y] in the window of each pressed pointer, by id
+    const held = new Map();  // window position [x, y] of each pressed pointer, by its id
     let from = null;  // zoom, finger distance and mean place when the number of pointers last changed
     const mean = (i) => [...held.values()].reduce((sum, at) => sum + at[i], 0) / held.size;
     const apart = () => {

@@ -6,7 +6,7 @@ import {channels, colours, landing, nodes, Plane, sectors, sheared, stretches} f
 import {luminance} from './vectors.js';
 
 export class Shadow {
-  /** Given  sunDistance  [km];  depths  those of the planes, nearest first [km] */
+  /** Given  sunDistance  [km];  depths  of the planes, nearest first [km] */
   constructor(facts, arrays, sunDistance, depths) {
     this.facts = facts;
     this.rays = new LimbRays(facts, arrays);
@@ -33,7 +33,7 @@ export class Shadow {
     const top = facts.earth.equatorialKm + facts.limb.topKm;
     this.endKm = landing(top, 0, sunDistance, depths[1]) + facts.sun.radiusKm * depths[1] / sunDistance;
     const begins = landing(top, 0, sunDistance, this.middleDepth) -
-      facts.sun.radiusKm * this.middleDepth / sunDistance;  // where direct sunlight begins
+      facts.sun.radiusKm * this.middleDepth / sunDistance;  // axis distance at which direct sunlight begins
     this.ends = [begins - 160, begins + 440, this.endKm];  // axis distances at which stretches of nodes end
     this.planes = depths.map((depth) => new Plane(this, depth));
   }
@@ -137,7 +137,7 @@ export class Shadow {
   /**
    * Table for lighting the picture: log2 of the radiance of white ground that faces the Sun at 1 au.
    *
-   * Given    through  transmittance of the observer's air by wavelength; if absent, no such air
+   * Given    through  transmittance of the observer's air by wavelength; if absent, there is no such air
    * Returned {values: [plane][sector, the first again at the end][node][channel], nodes, rows}
    */
   table(through = null) {
@@ -161,7 +161,7 @@ export class Shadow {
     return {values, nodes, stretches, rows: this.planes.length * (sectors + 1), sectors};
   }
 
-  /** Calls a function with the air replaced for a while (`air` and `landed` from a Shadow). */
+  /** Calls a function with `air` and `landed` temporarily replaced by those of another Shadow. */
   inAir(other, act) {
     const {air, landed} = this;
     Object.assign(this, other);

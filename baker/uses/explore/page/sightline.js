@@ -63,7 +63,7 @@ export class Sightline {
   }
 }
 
-const weak = -7;  // a channel below this is weak [log2, relative to the strongest channel]
+const weak = -7;  // level below which a channel is weak [log2, relative to the strongest channel]
 
 /** Logarithms interpolated between two tables. For weak channels, the ratio to the strongest is interpolated. */
 function between(low, high, part) {

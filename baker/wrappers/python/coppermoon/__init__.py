@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Eclipsed Moons: sunlight bent, reddened and dimmed by the Earth's air, in real units.
 
-A moment is a datetime with a time zone; NumPy's datetime64, in UTC; an ISO 8601 text, in UTC unless it ends in an
-offset; a day alone, as a date or a text, which stands for the greatest eclipse of that day; or a day and a contact of
-its eclipse, such as '2018-07-27 U2+10min'. Names of arguments end in their unit; wavelengths are in nanometres.
+A moment is given as a datetime with a time zone, NumPy's datetime64 in UTC, or an ISO 8601 text, which is in UTC unless
+it ends in an offset. A day alone, as a date or a text, stands for its greatest eclipse. A text can also name a day and
+a contact, such as '2018-07-27 U2+10min'. Names of arguments end in their unit, and wavelengths are in nanometres.
 Arrays are NumPy's. Long computations let other threads run, end on Ctrl-C, and take a callback `progress`. Wrong input
-raises Error, which is a ValueError.
+raises Error, a subclass of ValueError.
 
 >>> import coppermoon
 >>> eclipse = coppermoon.nearest_eclipse('2018-07-27')
