@@ -131,5 +131,46 @@ TEST_F(Stills, OfThreeHundredInAnyAirFindsTheirAerosolCloudAndOzone) {
   }
 }
 
+/// A still that the program itself develops, of the umbra beside a crescent that is mostly burnt out.
+struct OwnStill {
+  const char *moment, *seconds,
+      *camera;  ///< in UTC; the camera is empty if the Moon fills the frame
+};
+
+TEST_F(Stills, OfTheProgramItselfBesideABurntCrescentHaveItsAir) {
+  constexpr std::array stills{OwnStill{"18:44:28", "0.25", ""},
+                              OwnStill{"18:44:28", "2", ""},
+                              OwnStill{"19:04:28", "0.016667", ""},
+                              OwnStill{"19:04:28", "0.25", ""},
+                              OwnStill{"19:04:28", "4", ""},
+                              OwnStill{"19:19:28", "1", ""},
+                              OwnStill{"21:23:13", "1", ""},
+                              OwnStill{"21:43:13", "0.5", ""},
+                              OwnStill{"19:25:17", "2", ""},
+                              OwnStill{"19:04:28", "1", "400mm"},
+                              OwnStill{"19:04:28", "0.016667", "400mm"},
+                              OwnStill{"21:33:13", "1", "400mm"}};
+  for (std::size_t i = 0; i < stills.size(); ++i) {
+    if (!support::is_drawn(i, 3)) continue;
+    const auto& [moment, seconds, camera] = stills[i];
+    const auto instant = fmt::format("2018-07-27T{}Z", moment);
+    Words words{"still",    instant, "--at",   "Nairobi", "--width", "900",
+                "--height", "600",   "--time", seconds,   "-o",      here("own.png")};
+    if (*camera) words += Words{"--camera", camera};
+    ASSERT_EQ(coppermoon(words).status, 0) << moment;
+    const auto outcome =
+        coppermoon({"fit", here("own.png"), "--instants", instant, "--at", "Nairobi", "--json"});
+    ASSERT_EQ(outcome.status, 0) << moment << " " << seconds << ": " << outcome.err;
+    const auto found = nlohmann::json::parse(outcome.out);
+    for (const char* key : {"stratospheric_factor", "cloud_chance"}) {
+      const double median = found[key]["median"], low = found[key]["low_68"],
+                   high = found[key]["high_68"];
+      // two deviations: of 24 intervals, one does not hold the truth by chance
+      EXPECT_LE(2 * low - median, 1) << moment << " " << seconds << " " << camera << ": " << key;
+      EXPECT_GE(2 * high - median, 1) << moment << " " << seconds << " " << camera << ": " << key;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace coppermoon::end_to_end

@@ -35,8 +35,9 @@ SkyAndGlow light_beside(const AroundTheDisc& light, const AroundTheDisc& black,
   const double black_share =
       std::reduce(black.begin(), black.end()) / static_cast<double>(black.size());
   if (black_share > much) {
-    const double most = step / std::max(1e-300, std::ranges::max(glow));
-    if (most > 0 && most < prior.value) prior = {most / 2, most / 2};
+    const double most =
+        std::max(step, std::ranges::max(light)) / std::max(1e-300, std::ranges::max(glow));
+    if (most < prior.value) prior = {most / 2, std::max(most / 2, fixed)};
   }
   auto found = sky_and_glow(light, glow, linear ? prior : Uncertain{prior.value, fixed});
   if (!linear) found.glow = prior;

@@ -22,9 +22,9 @@ constexpr double between_tents = 0.005;
 double second_order_of_weather(double weather_error) { return weather_error * weather_error; }
 
 /// Relative error of computed light in one channel, due to the interpolation in FittedLight and the limited number of
-/// wavelengths.
+/// wavelengths and rays, here and in pictures of this program.
 double error_of_computation(double value, double brightest) {
-  constexpr double of_value = 0.0005, of_brightest = 0.0002;
+  constexpr double of_value = 0.003, of_brightest = 0.0002;
   return std::hypot(of_value, of_brightest * brightest / value);
 }
 

@@ -127,13 +127,17 @@ LightRequest to_register(const LightRequest& light) {
   return coarse;
 }
 
-/// X, Y, Z of each pixel that shows ground, computed for the assumed air and as seen from space.
+/// X, Y, Z of each pixel that shows ground, computed for the assumed air and as seen from space, with all ground moved
+/// away from the shadow's axis by `moved_km`.
 std::vector<std::array<double, 3>> usual_light(const FitGroundwork& groundwork,
                                                const Channel& sunlit,
-                                               const std::vector<Ground>& grounds) {
+                                               const std::vector<Ground>& grounds,
+                                               double moved_km = 0) {
   std::vector<std::array<double, 3>> all;
   for (const auto& ground : grounds) {
-    groundwork.usual.read(ground.place, all.emplace_back());
+    auto place = ground.place;
+    place.axis_distance = place.axis_distance + algebra::kilometres(moved_km);
+    groundwork.usual.read(place, all.emplace_back());
     for (double& value : all.back()) value *= sunlit.values()[ground.pixel];
   }
   return all;
@@ -171,6 +175,16 @@ algebra::Grid<double> over_sunlit(const FitScene& scene, const colour::Image& pi
   for (std::size_t b = 0; b < scene.bins; ++b)
     for (double& value : values.row(b)) value = sunlit[b] > 0 ? value / sunlit[b] : 0;
   return values;
+}
+
+/// Computes FitScene::place_slopes from the scene's Moon with its ground moved by `moved_km`.
+algebra::Grid<double> slopes_to(const colour::Image& moved, double moved_km,
+                                const FitScene& scene) {
+  auto slopes = over_sunlit(scene, moved);
+  const auto usual = scene.usual_values.values();
+  for (std::size_t i = 0; i < usual.size(); ++i)
+    slopes.values()[i] = usual[i] > 0 ? std::log(slopes.values()[i] / usual[i]) / moved_km : 0;
+  return slopes;
 }
 
 /// Weights that give X, Y, Z of moonlight through the given response, then through each other camera's filters, then
@@ -241,6 +255,7 @@ FitGroundwork groundwork_of(const MoonRequest& moon, std::span<const almanac::Sk
 
 FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
                    const ViewRequest& view, const almanac::SkyState& sky) {
+  constexpr double step_km = 2;
   require_eclipse(sky.when);
   const auto close = close_view(view, sky);
   const auto seen = view_of(close, sky);
@@ -259,6 +274,8 @@ FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
     scene.usual.values()[grounds[i].pixel] = static_cast<float>(light[i][1]);
   scene.moon = moon_in_rgb(scene, moon.response, grounds, light);
   scene.usual_values = over_sunlit(scene, scene.moon);
+  const auto moved = usual_light(groundwork, sunlit, grounds, step_km);
+  scene.place_slopes = slopes_to(moon_in_rgb(scene, moon.response, grounds, moved), step_km, scene);
   if (groundwork.by_filters)
     scene.by_filters = differences_by_filters(scene, *groundwork.by_filters);
   return scene;

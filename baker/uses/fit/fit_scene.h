@@ -51,6 +51,9 @@ struct FitScene {
   colour::Image moon;                  ///< the Moon in the assumed air, in linear Rec.709
   colour::Image glow = {};             ///< glow around the Moon; empty if not yet computed
   algebra::Grid<double> usual_values;  ///< ratio of light to full sunlight: (bin, channel)
+  /// Derivative of the logarithm of usual_values with respect to the ground's distance from the shadow's axis [1/km]:
+  /// (bin, channel).
+  algebra::Grid<double> place_slopes = {};
   /// For each other camera, a grid (bin, channel) of the logarithm of light through its filters / light through the
   /// assumed response. Empty if the response is known.
   std::vector<algebra::Grid<double>> by_filters = {};

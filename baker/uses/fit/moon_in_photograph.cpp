@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <numeric>
 #include <unordered_set>
 
 #include "algebra/error.h"
@@ -73,11 +74,25 @@ colour::Disc disc_in(const Channel& luminance) {
       "lost in noise");
 }
 
-/// Registers a scene in a photograph's luminance. If this fails, half and a quarter of the size are tried as well,
+/// Luminance of a scene's Moon with as much glow as a lens usually scatters.
+Channel glowing(const FitScene& scene) {
+  constexpr double share = 0.03;
+  auto luminance = scene.usual;
+  for (std::size_t i = 0; i < luminance.values().size(); ++i) {
+    const auto& glow = scene.glow.values()[i];
+    float& value = luminance.values()[i];
+    value = static_cast<float>(
+        (1 - share) * value +
+        share * std::inner_product(glow.begin(), glow.end(), luminance_of_rec709.begin(), 0.));
+  }
+  return luminance;
+}
+
+/// Registers a scene, rendered as a luminance, in that of a photograph. If this fails, half and a quarter of the size are tried as well,
 /// unless `roughly` is set.
-colour::Registration registered_by(const Channel& luminance, const FitScene& scene,
-                                   const MoonPart& moon, const std::optional<double>& scale,
-                                   bool roughly) {
+colour::Registration registered_by(const Channel& luminance, const Channel& render,
+                                   const FitScene& scene, const MoonPart& moon,
+                                   const std::optional<double>& scale, bool roughly) {
   std::exception_ptr first;
   for (double size = 1;; size /= 2) {
     try {
@@ -86,7 +101,7 @@ colour::Registration registered_by(const Channel& luminance, const FitScene& sce
       if (roughly) known.in_render = scene.disc;
       if (size == 1) known.in_photo = moon.disc;
       if (scale) *known.scale *= size;
-      auto found = colour::registered(smaller(luminance, size), scene.usual, known);
+      auto found = colour::registered(smaller(luminance, size), render, known);
       found.render_to_photo =
           colour::composed(found.render_to_photo, colour::inverse({.scale = size}));
       for (double* of_disc :
@@ -166,18 +181,22 @@ std::string reason_with_shares(const MoonPart& moon, const std::string& reason) 
 
 colour::Registration registration_of(const FitScene& scene, const MoonPart& moon,
                                      const std::optional<double>& scale, Registering how) {
-  constexpr double well = 0.8;
+  constexpr double well = 0.8, very_well = 0.97;
   std::optional<colour::Registration> best;
   std::exception_ptr first;
-  for (const auto* luminance : {&moon.luminance, &moon.clipped}) {
+  const auto attempt = [&](const Channel& luminance, const Channel& render) {
     try {
-      const auto found = registered_by(*luminance, scene, moon, scale, how == Registering::rough);
+      const auto found =
+          registered_by(luminance, render, scene, moon, scale, how == Registering::rough);
       if (!best || found.correlation > best->correlation) best = found;
     } catch (const algebra::Error&) {
       if (!first) first = std::current_exception();
     }
-    if (how != Registering::of_clipped || (best && best->correlation >= well)) break;
-  }
+  };
+  const auto is_found = [&](double enough) { return best && best->correlation >= enough; };
+  attempt(moon.luminance, scene.usual);
+  if (how == Registering::of_clipped && !is_found(well)) attempt(moon.clipped, scene.usual);
+  if (!scene.glow.empty() && !is_found(very_well)) attempt(moon.clipped, glowing(scene));
   if (!best) std::rethrow_exception(first);
   return *best;
 }

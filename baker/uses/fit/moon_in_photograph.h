@@ -46,9 +46,10 @@ enum class Registering {
 
 /// Finds where a scene lies in a photograph.
 ///
-/// Given   scale   scale of the similarity, if it is known
-///         how     of_clipped only if the moment is known, because at a wrong moment it finds false matches more often
-/// Throws  Error   as colour::registered
+/// Given     scale  scale of the similarity, if it is known
+///           how    of_clipped only if the moment is known, because at a wrong moment it finds false matches more often
+/// Returned  the best of several attempts. If the scene has its glow, the clipped Moon is tried in its glow too
+/// Throws    Error  as colour::registered
 colour::Registration registration_of(const FitScene& scene, const MoonPart& moon,
                                      const std::optional<double>& scale = {},
                                      Registering how = Registering::of_clipped);
@@ -61,7 +62,7 @@ double off_limb_km(const FitScene& scene, const colour::Registration& registrati
 ///
 /// The error is 0.3 pixels for a Moon in the umbra, and 0.8 pixels if part of the Moon is outside the umbra, because a
 /// bright limb misleads registration. It is 0.2 pixels in both cases if the photograph was registered with the fitted
-/// air, at the scale of all the night's photographs. Two errors are added in quadrature: 2 (1 − correlation) pixels,
+/// air, at the scale of all the night's photographs or with a correlation of 0.998 or more. Two errors are added in quadrature: 2 (1 − correlation) pixels,
 /// for noise, and off_limb_km, because neither limb nor markings can be trusted if they disagree. Pixels are those of
 /// the photograph or the scene, whichever are larger.
 ///

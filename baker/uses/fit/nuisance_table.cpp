@@ -33,17 +33,6 @@ std::array<double, 3> mixed(const std::array<double, 3>& light, const Mixing& mi
   return written;
 }
 
-/// Derivative of the logarithm of light with respect to distance from the shadow's axis [1/km], from neighbouring bins.
-double logarithmic_slope(const Binned& photograph, std::size_t b, std::size_t k) {
-  const auto& scene = *photograph.scene;
-  const auto& values = photograph.light.values;
-  const auto known = [&](std::size_t bin) { return bin < scene.bins && values(bin, k) > 0; };
-  const auto from = b > 0 && known(b - 1) ? b - 1 : b, to = known(b + 1) ? b + 1 : b;
-  if (from == to) return 0;
-  return std::log(values(to, k) / values(from, k)) /
-         (scene.distances_km[to] - scene.distances_km[from]);
-}
-
 /// Logarithm of the ratio of red to blue light in a photograph, 0 or more.
 double redness(const Binned& photograph) {
   const auto& values = photograph.light.values;
@@ -193,7 +182,7 @@ std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const Ni
        [=](const Measurement& m, std::size_t n) { return n == m.channel ? over_light(m) : 0; }},
       {"place", each, 1, [=](const Measurement& m) { return errors(m).place_error_km; },
        [=](const Measurement& m, std::size_t) {
-         return logarithmic_slope(of(m), m.bin, m.channel);
+         return of(m).scene->place_slopes(m.bin, m.channel);
        }},
       {"glow", each, 1,
        [=](const Measurement& m) { return of(m).light.glow_errors(m.bin, m.channel); },

@@ -20,9 +20,6 @@ namespace coppermoon::uses {
 using Mixing = std::array<std::array<double, 3>, 3>;
 inline constexpr Mixing no_mixing{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-/// Weights with which linear Rec.709 red, green and blue add up to luminance.
-inline constexpr std::array luminance_of_rec709{0.2126, 0.7152, 0.0722};
-
 /// Order of the rows in a grid (row, X Y Z) of light computed for the bins of a night's photographs.
 ///
 /// For each photograph in turn, there is a row for each of its bins at one moment, then at the next. If the clock may

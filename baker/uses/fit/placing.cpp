@@ -35,8 +35,8 @@ Placed placed_one(const Stage& stage, const Reading& reading, std::size_t index,
                            almanac::sky_at(almanac::later(photograph.instant, clock_s)));
     const double scale = px_per_scale(reading, scene);
     if (px_per_rad) *px_per_rad /= scale;
-    const auto registration = registration_of(scene, reading.moon, px_per_rad, how);
     if (how == Registering::of_clipped) scene.glow = glow_of(scene);
+    const auto registration = registration_of(scene, reading.moon, px_per_rad, how);
     return {.scene = std::make_shared<const FitScene>(std::move(scene)),
             .registration = registration,
             .px_per_rad = registration.render_to_photo.scale * scale};
@@ -63,6 +63,15 @@ double agreed_px_per_rad(std::span<const Reading> readings, std::span<const Plac
     if (sum > most) most = sum, agreed = scales / sum;
   }
   return agreed;
+}
+
+/// Whether another photograph was placed at the same scale. If none was, a photograph has its scale from its own limb,
+/// which glow enlarges.
+bool shares_scale(std::span<const Placed> all, std::size_t index) {
+  std::size_t alike = 0;
+  for (const auto& one : all)
+    alike += one.left_out.empty() && is_alike(one.px_per_rad, all[index].px_per_rad);
+  return alike > 1;
 }
 
 /// Indices of the registered photographs. Those registered at the scale of other photographs come last.
@@ -114,11 +123,12 @@ std::vector<Placed> placed(const Stage& stage, std::span<const Reading> readings
 
 std::vector<Placed> placed_again(const Stage& stage, std::span<const Reading> readings,
                                  std::vector<Placed> all) {
-  constexpr double less_alike = 0.1, most_degrees = 5;
+  constexpr double less_alike = 0.1, most_degrees = 5, sure = 0.998;
   for (const auto i : order_of(all)) {
-    all[i].in_its_air = true;
+    all[i].in_its_air = shares_scale(all, i) || all[i].registration.correlation >= sure;
     auto scene =
         fit_scene(stage.request.moon, stage.groundwork, stage.request.view, all[i].scene->sky);
+    scene.glow = glow_of(scene);
     try {
       const auto again =
           registration_of(scene, readings[i].moon,
@@ -128,7 +138,6 @@ std::vector<Placed> placed_again(const Stage& stage, std::span<const Reading> re
           !are_turned_alike(again.render_to_photo, before.render_to_photo, most_degrees))
         continue;  // now worse, or turned to match the shadow in a wrong air
       all[i].registration = again;
-      scene.glow = glow_of(scene);
       all[i].scene = std::make_shared<const FitScene>(std::move(scene));
     } catch (const algebra::Error&) {  // keep the registration with the assumed air
     }

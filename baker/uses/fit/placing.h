@@ -17,7 +17,7 @@ struct Placed {
   colour::Registration registration{};
   double px_per_rad = 0;         ///< scale of the whole picture
   bool in_others_scale = false;  ///< whether registered at the scale of other photographs
-  bool in_its_air = false;       ///< whether registered with the best-fitting air
+  bool in_its_air = false;  ///< whether registered with the best-fitting air, and its scale is sure
 };
 
 /// What is needed to register the photographs from one camera and eclipse.

@@ -10,6 +10,9 @@
 
 namespace coppermoon::uses {
 
+/// Weights with which linear Rec.709 red, green and blue add up to luminance.
+inline constexpr std::array luminance_of_rec709{0.2126, 0.7152, 0.0722};
+
 /// How a camera converts light to linear Rec.709 for its own JPEG: it multiplies the sensor's channels by gains, then
 /// mixes them. In deep red light, gains applied to the Rec.709 channels would give a very different result, because the
 /// sensor's green and blue cancel out in those channels.

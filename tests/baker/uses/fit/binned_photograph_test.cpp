@@ -56,5 +56,16 @@ TEST(BinnedPhotograph, RoundsTheMeanOfEvenLightButHardlyThatOfLightThatVaries) {
   }
 }
 
+/// Pixels of more than 8 bits have no step below which glow would go unnoticed.
+TEST(BinnedPhotograph, TakesNoGlowOffWhereTheSkyIsBlack) {
+  auto scene = even_moon();
+  for (auto& pixel : scene.glow.values()) pixel.fill(static_cast<float>(300 * step));
+  auto moon = rounded(30, 0);
+  moon.steps = {0, 0, 0};
+  const auto found = binned(scene, moon, {});
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_WITHIN_RELATIVE(found.values(0, k), 30 * step, 1e-6, "floats");
+}
+
 }  // namespace
 }  // namespace coppermoon::uses

@@ -93,5 +93,37 @@ TEST(FitScene, KnowsHowOtherCamerasSeeIt) {
                     "pixels are brought into the gamut one by one, bins as a whole; air above");
 }
 
+/// At the umbra's edge, light grows so much within a bin that slopes between bins are far off.
+TEST(FitScene, KnowsHowLightChangesWithItsPlaceInTheShadow) {
+  const auto sky = almanac::sky_at(almanac::instant_from_utc("2018-07-27T21:43:13Z"));
+  MoonRequest moon;
+  moon.texture_width = 256;
+  const auto groundwork = groundwork_of(moon, std::span(&sky, 1));
+  const auto scene = fit_scene(moon, groundwork, {}, sky);
+  const auto axis = eclipse::shadow_axis(sky);
+  for (std::size_t b = 0; b < scene.bins; ++b) {
+    std::array<double, 2> light{};
+    for (const auto& ground : scene.grounds) {
+      if (ground.bin != b) continue;
+      auto place = eclipse::place_of_ground(axis, sky, ground.ground);
+      for (const std::size_t i : {0, 1}) {
+        place.axis_distance = place.axis_distance + algebra::kilometres(i == 0 ? -1 : 4);
+        std::array<double, 3> xyz{};
+        groundwork.usual.read(place, xyz);
+        light[i] += ground.sunlit * xyz[1];
+      }
+    }
+    double luminance = 0, change = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double of_channel = luminance_of_rec709[k] * scene.usual_values(b, k);
+      luminance += of_channel;
+      change += of_channel * scene.place_slopes(b, k);
+    }
+    EXPECT_WITHIN(change / luminance, std::log(light[1] / light[0]) / 4, 3e-5,
+                  "slopes over 2 and 4 km about one place, the steepest 0.01")
+        << "bin " << b;
+  }
+}
+
 }  // namespace
 }  // namespace coppermoon::uses

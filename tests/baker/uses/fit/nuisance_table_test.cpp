@@ -19,6 +19,7 @@ Binned photograph() {
   scene.bins = 2;
   scene.distances_km = {1000, 2000};
   scene.usual_values = algebra::Grid<double>(2, 3, 1.);
+  scene.place_slopes = algebra::Grid<double>(2, 3, -1e-3);
   Binned binned{.scene = std::make_shared<const FitScene>(scene), .light = {}};
   auto& [values, errors, sky_errors, glow_errors, slopes] = binned.light;
   for (auto* grid : {&values, &errors, &sky_errors, &glow_errors})
