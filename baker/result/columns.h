@@ -29,6 +29,8 @@ struct Gathers {
       add(key, algebra::in_degrees(value));
     else if constexpr (std::is_same_v<Value, std::optional<double>>)
       add(key, value.value_or(std::numeric_limits<double>::quiet_NaN()));
+    else if constexpr (std::is_same_v<Value, std::optional<algebra::Angle>>)
+      add(key, value ? algebra::in_degrees(*value) : std::numeric_limits<double>::quiet_NaN());
   }
 
  private:

@@ -49,6 +49,7 @@ TEST_F(RingThoroughly, SaysInItsHeaderHowItStandsOnTheSky) {
   const double distance_km = header("earth_distance_km");
   EXPECT_WITHIN(distance_km, 406107 - 1737, 60, "the Moon's distance then (JPL), and its radius");
   EXPECT_WITHIN(header("earth_altitude"), 90, 0.01, "the default is the sub-Earth point");
+  EXPECT_EQ(said("coppermoon:zenith_position_angle"), "") << "the Earth is there";
   const auto angle = [&](double km) { return std::asin(km / distance_km) * 180 / pi; };
   EXPECT_WITHIN(header("inner_angle"), angle(6356.75 + 1.8), angle(3),
                 "the pole, lifted by (n − 1) R = 1.8 km; tipped by 19°, 2 km");

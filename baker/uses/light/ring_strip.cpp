@@ -36,6 +36,12 @@ struct Lookout {
   algebra::Angle earth_altitude() const {
     return algebra::radians(std::asin(glm::dot(earthward(), zenith)));
   }
+  /// Position angle of the zenith; none if the Earth is there.
+  std::optional<algebra::Angle> zenith_angle() const {
+    constexpr double there_rad = 1e-6;
+    if (glm::length(zenith - earthward()) < there_rad) return {};
+    return position_angle(zenith);
+  }
   /// Position angle of a direction about the Earth's centre, on the observer's sky.
   algebra::Angle position_angle(const glm::dvec3& direction) const {
     return almanac::position_angle(earthward(), direction, celestial_pole);
@@ -128,7 +134,7 @@ RingFigures figures_of(const Lookout& lookout, const glm::dvec3& sun_m, const An
           algebra::radians(angles.outer_rad),
           glm::length(lookout.position_m) / 1e3,
           lookout.earth_altitude(),
-          lookout.position_angle(lookout.zenith),
+          lookout.zenith_angle(),
           lookout.position_angle(sun_m - lookout.position_m),
           scale};
 }
@@ -153,7 +159,8 @@ RingStrip ring_strip(const LightRequest& request, const almanac::SkyState& sky,
                   figures_of(lookout, sky.sun_m, angles, scale),
                   scene_linear_header(picture_space, sky.when)};
   for (const auto& [name, values] : result::columns_of(std::array{strip.figures}))
-    strip.attributes["coppermoon:" + name] = static_cast<float>(values.front());
+    if (std::isfinite(values.front()))
+      strip.attributes["coppermoon:" + name] = static_cast<float>(values.front());
   return strip;
 }
 

@@ -16,7 +16,9 @@ struct RingFigures {
   almanac::SelenographicPoint place;  ///< the observer's place on the Moon
   algebra::Angle inner, outer;        ///< angles of the image's edges from the Earth's centre
   double earth_distance_km = 0;
-  algebra::Angle earth_altitude, zenith, sun;  ///< `zenith` and `sun` are position angles
+  algebra::Angle earth_altitude;
+  std::optional<algebra::Angle> zenith;  ///< position angle; none if the Earth is at the zenith
+  algebra::Angle sun;                    ///< position angle
   double scale = 1;
 };
 
@@ -32,7 +34,8 @@ void describe(Field&& is, const RingFigures& ring) {
   is("earth_altitude", ring.earth_altitude, unit::degrees, "altitude of the Earth's centre");
   is("earth_north_position_angle", 0., unit::degrees,
      "position angle of the Earth's north, which angles are counted from");
-  is("zenith_position_angle", ring.zenith, unit::degrees, "position angle of the zenith");
+  is("zenith_position_angle", ring.zenith, unit::degrees,
+     "position angle of the zenith; none if the Earth is there");
   is("sun_position_angle", ring.sun, unit::degrees, "position angle of the Sun");
   is("scale", ring.scale, "factor on luminance");
 }
