@@ -273,6 +273,7 @@ HeaderClock clock_of(const std::string& photo) {
   for (const auto& text : all_in_header(
            photo, {"Exif:OffsetTimeOriginal", "Exif:OffsetTimeDigitized", "Exif:OffsetTime"}))
     if (text && offset.empty() && !is_unknown(*text)) offset = *text;
+  if (text_in_header(photo, {"coppermoon:version"})) offset = "Z";
   for (const auto& date : all_in_header(
            photo, {"Exif:DateTimeOriginal", "Exif:DateTimeDigitized", "DateCreated", "capDate"}))
     if (const auto clock = clock_named(photo, date.value_or(""), offset)) {

@@ -226,6 +226,13 @@ class Header : public ScratchFolder {
   }
 };
 
+TEST_F(Header, OfAPictureOfOursIsInUtc) {
+  const auto file = in_folder("ours.png").string();
+  texture::write_png(file, texture::Image(4, 4, {"R", "G", "B"}), 8,
+                     {{"capDate", "2018:07:27 21:43:13"}, {"coppermoon:version", "0.2.0"}});
+  EXPECT_EQ(clock_of(file), (HeaderClock{"2018-07-27T21:43:13", "+00:00"}));
+}
+
 TEST_F(Header, MayBeExifOrXmpInAnyFile) {
   for (const auto& photo : {with({{"Exif.Image.Make", "Canon"},
                                   {"Exif.Photo.DateTimeOriginal", date},
