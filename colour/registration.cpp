@@ -277,8 +277,8 @@ Pose refined(const Pair& pair, Pose pose, bool of_its_scale, double begin, doubl
   return pose;
 }
 
-/// Adjusts a pose's rotation by up to 1.5 degrees so that markings correlate best. The limb says nothing about
-/// rotation, but its blur favours poses whose pixels fall between those of the photograph.
+/// Adjusts a pose's rotation by up to 1.5 degrees so that markings correlate best. The limb is left out, as it says
+/// nothing about rotation, and its blur favours poses whose pixels fall between those of the photograph.
 Pose turned(const Pair& pair, Pose pose) {
   for (const double step : {0.5 * pi / 180, 0.1 * pi / 180}) {
     const auto before = pose;

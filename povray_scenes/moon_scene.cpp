@@ -54,8 +54,8 @@ std::string spheres_text(const MoonScene& scene) {
   return text;
 }
 
-/// A pane in front of the camera that emits the air's light, as text for POV-Ray. The pane extends half a step beyond
-/// the frame, because POV-Ray interpolates between the centres of texels.
+/// A pane in front of the camera that emits the air's light, as text for POV-Ray. Its opacity is low, so that the Moon
+/// and the stars behind it stay visible. It extends half a step beyond the frame, as POV-Ray interpolates texels.
 std::string pane_text(const MoonScene& scene) {
   if (!scene.air) return {};
   const auto& [image, columns, rows, step] = *scene.air;

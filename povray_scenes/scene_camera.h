@@ -27,7 +27,8 @@ struct SceneCamera {
   algebra::Angle horizontal_field;  ///< angle across the picture
   std::size_t width, height;        ///< in pixels
   double flattening = 1;            ///< height of the refracted disc divided by its width
-  glm::dvec3 zenith{0, 0, 0};       ///< direction of flattening, Moon-fixed, any length; 0 if none
+  /// Direction of the zenith, along which refraction flattens the disc; Moon-fixed, any length; 0 for no flattening.
+  glm::dvec3 zenith{0, 0, 0};
   /// Direction to the middle of the picture, in Moon-fixed axes, any length; 0 means towards the Moon's centre.
   glm::dvec3 direction{0, 0, 0};
 };
@@ -71,8 +72,7 @@ SceneCamera camera_at(const almanac::SkyState& sky, Up up, const Picture& pictur
 /// Returned  a camera at the observer's place. The aim and the zenith are turned downwards by as much as refraction
 ///           lifts the Moon, so that the Moon is at its apparent place in the picture
 /// Omits   the horizon, so that the Moon is shown even if it is below; flattening, as in camera_at
-/// Throws  Error  if the aim is out of range, or if require_sound does not accept the camera, for example because the
-///                aim is the zenith
+/// Throws  Error  if the aim is out of range or is the zenith, or if require_sound does not accept the camera
 SceneCamera camera_fixed(const almanac::SkyState& sky, const almanac::ObserverView& view,
                          const HorizonPlace& aim, const Picture& picture);
 

@@ -66,8 +66,8 @@ std::array<double, airs> shares_of(const ObserverAir& air) {
   return shares;
 }
 
-/// Logarithms of light for one altitude of the Sun and one observer's air: [altitude][azimuth][channel]. If the Sun is
-/// lower than in the table, they continue to fall at the mean rate between the table's last two altitudes of the Sun.
+/// Logarithms of the sky's light for one altitude of the Sun and one air: [altitude in the sky][azimuth][channel].
+/// Below the table's lowest solar altitude, they continue to fall at the mean rate between the two lowest ones.
 std::vector<double> light_under(const LightTable& table, double sun_deg,
                                 const std::array<double, airs>& shares) {
   const auto& suns_deg = table.suns_deg;

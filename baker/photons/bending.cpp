@@ -80,7 +80,7 @@ struct Piece {
 
 /// Node of the quadrature over altitude, with the properties of the air there.
 struct Node {
-  double above_m, r_m, dh_m;  ///< height above tangent point, distance from Earth's centre, weight
+  double above_m, r_m, dh_m;  ///< height above tangent, geocentric distance, weight in height
   atmosphere::ValueAndSlope density;
   atmosphere::Amounts profiles;
 };

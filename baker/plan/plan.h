@@ -111,7 +111,7 @@ struct Plan {
   std::vector<LeftOut> left_out{};
   std::vector<Alternative> methods{};  ///< solvers considered, best first
   bool misses_tolerance = false;       ///< whether no affordable plan meets the tolerance
-  bool exceeds_budget = false;         ///< whether even the coarsest work takes too long
+  bool exceeds_budget = false;         ///< whether the coarsest settings exceed the time budget
 };
 
 /// Computing time in seconds, and the largest relative error of luminance on the Moon's disc.
@@ -169,13 +169,13 @@ double predicted_error(const Work& work, const Scene& scene);
 
 /// Finds the cheapest settings, with the cheapest solver, whose predicted error is within the tolerance. The search is
 /// greedy: it begins with the coarsest settings and adds, one at a time, the refinement or the term that removes the
-/// most error for its time. The solver is chosen as if the user had set nothing. If no solver reaches the tolerance,
-/// the quickest is used. If the tolerance cannot be reached with that solver, or with the user's settings, the error
-/// may exceed the least possible error by the tolerance. With a budget, the plan meets the finest tolerance for which
-/// there is time. If there is not enough time for any tolerance, the plan has the coarsest settings.
+/// most error for its time. If the user names no solver, the user's other settings are ignored when one is chosen. If
+/// no solver reaches the tolerance, the quickest is used. If that solver or the user's settings make the tolerance
+/// unreachable, the error may exceed the least possible error by up to the tolerance. With a time budget, the plan has
+/// the finest tolerance for which there is time, or the coarsest settings if there is no time for any tolerance.
 ///
 /// Given     by_hand  settings made by the user, which the plan keeps
-/// Throws    Error    if the tolerance or the budget is outside its range, or both are absent
+/// Throws    Error    if the tolerance or the time budget is outside its range, or both are absent
 Plan plan_for(const Scene& scene, const Wish& wish, const Machine& machine,
               const ByHand& by_hand = {});
 

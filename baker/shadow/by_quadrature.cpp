@@ -211,7 +211,7 @@ void fill(std::span<const Ring> rings, std::size_t first_wave, const Atmosphere&
   });
 }
 
-/// The wavelengths of all atmospheres, and the Sun's disc at these wavelengths.
+/// Wavelengths, the same ones listed once for each atmosphere, and the brightness of the Sun's disc at each.
 struct Wavelengths {
   std::vector<Wave> waves;
   photons::DiscTerms sun;

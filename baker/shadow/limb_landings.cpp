@@ -83,7 +83,7 @@ void add_seeing(const Grid<double>& light, std::span<const double> arcs,
   for (double& chance : chances) chance = std::sqrt(chance);
 }
 
-/// Probability of each cell for photons drawn without regard to light, uniformly in landing distance or in height.
+/// Probability that each cell is drawn if its light is ignored and photons are uniform in landing distance or height.
 std::vector<double> blind_chances(std::span<const double> heights_m,
                                   std::span<const double> landings) {
   double swept = 0;

@@ -155,7 +155,7 @@ void deconvolve(std::span<const RingLight> line, std::vector<double>& logs) {
       const double steepening = 1 / (static_cast<double>(i - beyond) + 0.5);
       next[i] = line[i].log_mean - std::log(mean_over_middle(log_shape(line, logs, i), steepening));
     }
-    // The rings beyond the axis are corrected like their mirror images on this side.
+    // Rings on the far side of the axis get the same correction, from mean to middle, as their mirror images.
     for (std::size_t k = 0; k < beyond; ++k)
       next[beyond - 1 - k] =
           line[beyond - 1 - k].log_mean + next[beyond + k] - line[beyond + k].log_mean;

@@ -82,7 +82,7 @@ enum class Coding {
   camera,  ///< coded with the camera's own tone curve (see colour/tone_curve.h), but read as sRGB
 };
 
-/// Names of the codings on the command line and in Python.
+/// Names of the encodings of pixel values, on the command line and in Python.
 inline constexpr std::array<std::pair<const char*, Coding>, 4> coding_words{
     {{"as-file-says", Coding::as_file_says},
      {"srgb", Coding::srgb},

@@ -12,10 +12,10 @@ namespace coppermoon::texture {
 /// Colour profile of an image file: an ICC profile, or primaries and a tone curve. Converts colours to linear Rec. 709.
 class ColourProfile {
  public:
-  /// Makes a profile from an ICC profile: for grey if there is one channel, for red, green and blue if there are three.
-  /// Returns nothing if the profile agrees with sRGB to within 1/200 of full light.
+  /// Converts an ICC profile to a ColourProfile. It must be for grey if `channels` is 1, for RGB if it is 3.
+  /// Returns nothing if the profile agrees with sRGB to within 1/200 of full scale in linear light.
   ///
-  /// Throws  Error  when the profile is broken, or is for other channels (the message then names the profile)
+  /// Throws  Error  when the profile is corrupt, or is for other channels, such as CMYK (the message then names it)
   static std::optional<ColourProfile> of_icc(std::string_view bytes, std::size_t channels);
 
   /// Makes a profile from x and y of red, green, blue and white. Light is the file's number to the given power or,

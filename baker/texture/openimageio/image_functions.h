@@ -45,7 +45,7 @@ struct ImageFunctions {
 /// Name of the only function that the module exports.
 inline constexpr const char* image_functions_name = "coppermoon_image_functions";
 
-/// Type of the only function that the module exports, image_functions_name.
+/// Type of the only function that the module exports; image_functions_name is its name.
 using GiveImageFunctions = const ImageFunctions*();
 
 }  // namespace coppermoon::texture

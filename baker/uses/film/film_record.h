@@ -43,7 +43,7 @@ struct FilmRecord {
 /// Reads a light_key from its text, which may also hold the moments of the first and the last frame.
 request::Recipe light_key_in(const std::string& text);
 
-/// Text for the differences from a requested recipe, such as "iso = 800, asked 100; …". Empty if there are none.
+/// Describes how settings differ from the requested ones, such as "iso = 800, asked 100"; empty if they do not differ.
 std::string in_words(std::vector<request::Difference> differences);
 
 }  // namespace coppermoon::uses

@@ -40,7 +40,7 @@ struct AirFit {
   Unknowns unknowns = Unknowns::factors;
   Posterior posterior{};             ///< posterior of the unknowns, or of their logarithms
   std::size_t measurements = 0;      ///< number of measurements
-  AirNumbers best{};                 ///< unknowns of the air with the least χ²
+  AirNumbers best{};                 ///< values of the unknowns at the least χ²
   std::vector<ClockError> clocks{};  ///< one correction for each data set
 };
 

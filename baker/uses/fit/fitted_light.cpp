@@ -28,7 +28,7 @@ std::vector<double> even_on_scale(const std::array<double, 2>& range, double sca
 /// 4e-4 for dust up to 3e-6 per metre, 1e-3 up to 8e-6, 5e-3 up to 1.5e-5, and 2e-2 beyond.
 constexpr double scale_of_dust_per_m = 2e-6;
 
-/// Scale of `smooth` for stratospheric aerosol, as a vertical optical depth. Along a grazing ray, this gives about 1.
+/// The `scale` of `smooth` for stratospheric aerosol: the vertical optical depth with which a grazing ray's is about 1.
 constexpr double scale_of_depth = 0.015;
 
 /// Scale of `smooth` for factors on the chance of cloud.

@@ -168,7 +168,7 @@ algebra::Grid<double> in_all_bins(const Setting& setting, const shadow::Refracte
   return all;
 }
 
-/// Air with given values of the unknowns all along the limb. Factors multiply the air's values. Amounts replace them.
+/// The air with these unknowns everywhere along the limb: factors multiply the air's own values, amounts replace them.
 atmosphere::Atmosphere changed(atmosphere::Atmosphere air, Unknowns unknowns,
                                const AirNumbers& numbers) {
   const double aerosol = numbers[0], cloud = numbers[1], ozone = numbers[2];

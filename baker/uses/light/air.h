@@ -49,7 +49,7 @@ struct AirRegion {
 
 enum class EarthFigure { sphere, ellipsoid };
 
-/// The Earth and its air, term by term. Fields without a value are taken from the named atmosphere.
+/// The Earth and its air: a field for each effect. A field without a value is taken from the preset `atmosphere`.
 struct Air {
   std::string atmosphere = "standard";  ///< one of atmosphere::preset_names()
   bool refraction = true, rayleigh = true;

@@ -63,7 +63,7 @@ std::string air_in_words(const request::Parameters& parameters);
 /// same Moon. The quality is kept, because it may imply other settings too.
 request::Recipe with_work(const request::Recipe& recipe, const plan::Work& work);
 
-/// Whether a setting is part of the planned work, or is used for planning it.
+/// Whether a setting is one that the planner can choose, or one from which it plans, such as the tolerance.
 bool is_planned(const request::Setting& setting);
 
 /// Recipe of all settings on which photons depend. Sums of photons with a different recipe are refused.

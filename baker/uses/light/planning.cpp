@@ -223,7 +223,7 @@ void add_edges_of_the_shadow(const ShadowedMoon& moon, const shadow::Arrangement
   places_m.erase(std::unique(places_m.begin(), places_m.end()), places_m.end());
 }
 
-/// Safety factor on the estimated effect of a term, because coarse light underestimates the effect.
+/// Safety factor on the effect of a term, because light computed with coarse settings underestimates the effect.
 constexpr double margin = 2;
 
 }  // namespace

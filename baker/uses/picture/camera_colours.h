@@ -20,8 +20,8 @@ struct CameraColours {
   glm::dmat3 channels_from_xyz{1};     ///< from XYZ to channels in which daylight (D65) is white
   glm::dmat3 rec709_from_channels{1};  ///< from channels balanced for daylight to Rec.709
   glm::dvec3 gains{1};                 ///< as-shot gains divided by the gains for daylight
-  /// Average share of the brightest channel that is added to every channel. Dark channels come out brighter than the
-  /// mixture, because colours outside the gamut are clipped at 0, and noise and stray light are positive.
+  /// Light that is added to every channel of Rec.709, as a fraction of the brightest. Dark channels are that much
+  /// too bright on average, because colours outside the gamut are clipped at 0, and noise and stray light are positive.
   double lift = 0.01;
 };
 
@@ -33,7 +33,7 @@ struct CameraColours {
 CameraColours camera_colours(const std::optional<std::string>& response,
                              const std::optional<std::array<double, 3>>& as_shot);
 
-/// Converts moonlight to linear Rec.709, and brings it into the gamut as renders do. Each channel is at least 1e-12.
+/// Converts moonlight to linear Rec.709, moved into the gamut as in renders. Channels are at least 1e-12 in xyz's unit.
 ///
 /// Given  xyz  CIE XYZ of the moonlight, in any unit
 std::array<double, 3> rec709_of(std::span<const double> xyz);
@@ -41,15 +41,15 @@ std::array<double, 3> rec709_of(std::span<const double> xyz);
 /// Converts light from linear Rec.709 to CIE XYZ.
 std::array<double, 3> xyz_of_rec709(std::span<const double> rgb);
 
-/// Moonlight as a camera records it, in linear Rec.709. Before the lift is added, each channel is raised to at least
-/// 1e-12, and to at least `least` times the brightest channel.
+/// Moonlight as a camera records it, in linear Rec.709. Each channel is raised to at least 1e-12, in the unit of `xyz`,
+/// and to the fraction `least` of the brightest, as the caller chooses. The fraction CameraColours::lift is then added.
 ///
 /// Given  colours  the camera's conversion; if absent, rec709_of is used
 ///        xyz      CIE XYZ of the moonlight, in any unit
 std::array<double, 3> rec709_by(const std::optional<CameraColours>& colours,
                                 std::span<const double> xyz, double least);
 
-/// Contributions of the camera's red, green and blue channels to one channel of Rec.709, including the lift.
+/// Contributions of the camera's red, green and blue channels to one channel of Rec.709, with CameraColours::lift.
 ///
 /// Given  xyz  CIE XYZ of the moonlight, in any unit
 glm::dvec3 parts_of(std::size_t channel, const CameraColours& colours, std::span<const double> xyz);

@@ -103,7 +103,7 @@ Crossing crossing(const almanac::Observer& place, Instant from, double seconds) 
 /// that both a rise and a set may lie within one step.
 std::vector<std::pair<double, double>> heights(const almanac::Observer& place, const Instant& from,
                                                double seconds) {
-  constexpr double grazing = 3e-3;  // [rad]; half-hourly samples can miss an extreme by 2.1e-3
+  constexpr double grazing = 3e-3;  // [rad]; half-hourly heights miss extremes by up to 2.1e-3 rad
   const auto steps = static_cast<int>(std::ceil(seconds / step_s));
   const double step = seconds / steps;
   const auto at = [&](double s) { return std::pair{s, height(place, almanac::later(from, s))}; };

@@ -29,7 +29,7 @@ def light_of(texture):
 
 
 def parts_of(contacts, textures):
-    """The time of each contact, as a fraction of the time from a film's first texture to its last (less than a day)."""
+    """Time of each contact, as a fraction of the film from first to last texture. Assumes a film shorter than a day."""
     if not contacts:
         return {}
     first = textures[0].second()

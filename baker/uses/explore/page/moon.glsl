@@ -148,7 +148,7 @@ void main() {
 }
 #else
 uniform float exposure;      // pixel value for 1 cd/m²; a value of 1 is saturated
-uniform int look;            // 0 is plain sRGB, 1 a table, 2 false colours in stops, 3 hue-preserving
+uniform int look;            // 0: plain sRGB; 1: view from a table; 2: false colours by stops; 3: hue-preserving view
 uniform sampler3D view;
 uniform vec2 viewCode;       // gain and stops of the view table's axes
 uniform float viewSize;
