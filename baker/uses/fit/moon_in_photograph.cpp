@@ -196,7 +196,8 @@ colour::Registration registration_of(const FitScene& scene, const MoonPart& moon
   const auto is_found = [&](double enough) { return best && best->correlation >= enough; };
   attempt(moon.luminance, scene.usual);
   if (how == Registering::of_clipped && !is_found(well)) attempt(moon.clipped, scene.usual);
-  if (!scene.glow.empty() && !is_found(very_well)) attempt(moon.clipped, glowing(scene));
+  if (!scene.glow.empty() && !is_found(very_well) && !lies_in_umbra(scene.sky))
+    attempt(moon.clipped, glowing(scene));
   if (!best) std::rethrow_exception(first);
   return *best;
 }

@@ -48,7 +48,7 @@ enum class Registering {
 ///
 /// Given     scale  scale of the similarity, if it is known
 ///           how    of_clipped only if the moment is known, because at a wrong moment it finds false matches more often
-/// Returned  the best of several attempts. If the scene has its glow, the clipped Moon is tried in its glow too
+/// Returned  the best of several attempts. A crescent is also tried in its glow, if the scene has that
 /// Throws    Error  as colour::registered
 colour::Registration registration_of(const FitScene& scene, const MoonPart& moon,
                                      const std::optional<double>& scale = {},
