@@ -267,7 +267,7 @@ TEST_F(Animate, KeepsWhatVerifiesAndMakesTheRestAgain) {
   EXPECT_TRUE(files() == whole);
 }
 
-TEST_F(Animate, GivesTheSameBytesInShardsAndAtOnce) {
+TEST_F(AnimateThoroughly, GivesTheSameBytesInShardsAndAtOnce) {
   const auto words = film("--frames 5 --make frames,pictures");
   expect_done(coppermoon(words));
   const auto at_once = files();

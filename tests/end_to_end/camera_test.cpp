@@ -200,8 +200,10 @@ TEST_F(CameraTest, LeftOutCostsNothing) {
                       "a step of 16 bits, 15 cd/m2 over them, and of half floats");
 }
 
+using CameraTestThoroughly = CameraTest;
+
 /// Moonset in the morning of 2008-02-21 over Kurdistan: the Sun is 5 degrees below.
-TEST_F(CameraTest, SeesTheTwilight) {
+TEST_F(CameraTestThoroughly, SeesTheTwilight) {
   const auto taken = [&](const Words& more, const char* name) {
     auto words = words_of(
         "still {} --at 36,48 --camera 400mm --noise off --time 1 --iso 100 --albedo-map built-in "
@@ -347,8 +349,6 @@ TEST_F(CameraTest, OfAFilmIsNoOtherFileOfFilters) {
             "coppermoon: film: holds a film made with other contents of response (frame.0001.png "
             "and 1 more), allowed another folder, or --replace\n");
 }
-
-using CameraTestThoroughly = CameraTest;
 
 TEST_F(CameraTestThoroughly, GivesEachFrameOfAFilmNoiseOfItsOwn) {
   const auto film = [&](const char* folder, const Words& more = {}) {

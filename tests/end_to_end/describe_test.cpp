@@ -191,7 +191,9 @@ class Ranges : public Describe {
   }
 };
 
-TEST_F(Ranges, AreThoseThatTheLibraryKeeps) {
+using RangesThoroughly = Ranges;
+
+TEST_F(RangesThoroughly, AreThoseThatTheLibraryKeeps) {
   /// Commands that take files or long, and where the ends of their own numbers are tested.
   static const std::map<std::string, const char*> elsewhere{
       {"frames", "uses/film/film_times"},

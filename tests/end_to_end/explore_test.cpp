@@ -254,7 +254,7 @@ const Asked seen_light(page_2018, [] {
          "page.radianceAt(where)};";
 });
 
-TEST_F(ExploreLight, IsReddenedByTheObserversAirAsTheCommandReddensIt) {
+TEST_F(ExploreLightThoroughly, IsReddenedByTheObserversAirAsTheCommandReddensIt) {
   const auto said = seen_light.answer();
   for (std::size_t i = 0; i < sights.size(); ++i) {
     const auto& seen = said["seen"][i];
