@@ -24,7 +24,7 @@ double second_order_of_weather(double weather_error) { return weather_error * we
 /// Relative error of computed light in one channel, due to the interpolation in FittedLight and the limited number of
 /// wavelengths and rays, here and in pictures of this program.
 double error_of_computation(double value, double brightest) {
-  constexpr double of_value = 0.003, of_brightest = 0.0002;
+  constexpr double of_value = 0.001, of_brightest = 0.0002;
   return std::hypot(of_value, of_brightest * brightest / value);
 }
 

@@ -257,8 +257,7 @@ FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
                    const ViewRequest& view, const almanac::SkyState& sky) {
   constexpr double step_km = 2;
   require_eclipse(sky.when);
-  const auto close = close_view(view, sky);
-  const auto seen = view_of(close, sky);
+  const auto seen = view_of(close_view(view, sky), sky);
   FitScene scene;
   scene.sky = sky;
   scene.weights = xyz_of_moonlight(moon.response, seen.sightline);

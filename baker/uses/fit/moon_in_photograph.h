@@ -62,9 +62,9 @@ double off_limb_km(const FitScene& scene, const colour::Registration& registrati
 ///
 /// The error is 0.3 pixels for a Moon in the umbra, and 0.8 pixels if part of the Moon is outside the umbra, because a
 /// bright limb misleads registration. It is 0.2 pixels in both cases if the photograph was registered with the fitted
-/// air, at the scale of all the night's photographs or with a correlation of 0.998 or more. Two errors are added in quadrature: 2 (1 − correlation) pixels,
-/// for noise, and off_limb_km, because neither limb nor markings can be trusted if they disagree. Pixels are those of
-/// the photograph or the scene, whichever are larger.
+/// air, at the scale of all the night's photographs or with a correlation of 0.998 or more. Two errors are added in
+/// quadrature: 2 (1 − correlation) pixels, for noise, and off_limb_km, because neither limb nor markings can be trusted
+/// if they disagree. Pixels are those of the photograph or the scene, whichever are larger.
 ///
 /// Given   in_its_air  whether the photograph was registered with the fitted air
 /// Source  errors measured on simulated photographs [pixels]: 0.03 in the middle of the umbra, 0.2 to 0.45 near its

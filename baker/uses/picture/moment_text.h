@@ -19,8 +19,8 @@ struct MomentContext {
   almanac::Calendar calendar = almanac::Calendar::gregorian;
 };
 
-/// The moment that a string names: an instant, "2018-07-27T18:24:00Z"; a day, "2018-07-27", for the maximum of its
-/// eclipse; or a day followed by a contact of its eclipse, moonrise or moonset, "2018-07-27 U2+10min".
+/// The moment that a string names: an instant, "2018-07-27T18:24:00Z"; a day, "2018-07-27", for the greatest eclipse on
+/// that day; or a day followed by a contact of its eclipse, moonrise or moonset, "2018-07-27 U2+10min".
 ///
 /// Returned  rounded to the second, unless the text is an instant
 /// Throws    Error  when the text names no moment; when the day has no eclipse (the message names the nearest one)

@@ -51,8 +51,8 @@ double seconds_at(const HeaderClock& clock);
 std::optional<HeaderClock> clock_in(const std::string& date, const std::string& offset = {});
 
 /// When a photograph was taken, by the camera's clock. The date in a FITS file is in UTC, or is converted to UTC from
-/// the time scale that TIMESYS names. If TIMESYS is LOCAL, the zone is unknown. The date in a picture of this program is
-/// in UTC.
+/// the time scale that TIMESYS names. If TIMESYS is LOCAL, the zone is unknown. Pictures of this program have a date in
+/// UTC.
 ///
 /// Throws  Error  with the photograph's name, when the header has no date or an unknown TIMESYS, or clock_in throws
 /// Source  FITS Standard 4.0 (2018), 9.2.1

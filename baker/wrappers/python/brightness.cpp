@@ -48,8 +48,7 @@ py::dict light_curve(const Moment& first, const Moment& last, double step_min,
   }
   py::dict columns;
   columns["instant"] = py::array(instants).attr("astype")("datetime64[ms]");
-  for (const auto& [name, numbers] : curve.columns)
-    columns[py::str(name)] = py::array_t<double>(numbers.size(), numbers.data());
+  for (const auto& [name, numbers] : curve.columns) columns[py::str(name)] = array_of(numbers);
   return columns;
 }
 
