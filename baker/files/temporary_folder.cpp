@@ -18,6 +18,17 @@ void require_temporary_folder() {
                                    told.empty() ? "/tmp" : told));
 }
 
+RemovalAtEnd::RemovalAtEnd(const std::filesystem::path& path) {
+  try {
+    alive_.emplace();
+    auto remover = remover_of(std::filesystem::absolute(path));
+    remover.outlives_us = true;
+    start(remover_, remover, {.input = &alive_->out});
+    alive_->out.close();
+  } catch (const algebra::Error&) {
+  }
+}
+
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;
   std::filesystem::remove_all(path_, ignored);

@@ -13,6 +13,9 @@ namespace coppermoon::files {
 /// Throws  Error  with the name of the folder in the environment variable TMPDIR
 void require_temporary_folder();
 
+/// The program of this system that removes a file or folder once its standard input ends.
+Program remover_of(const std::filesystem::path& path);
+
 /// Removes a file or folder if the program ends, or is killed, during this object's lifetime. A child process waits for
 /// the program's end and then removes the file or folder. On a system without a shell, nothing is removed.
 class RemovalAtEnd {

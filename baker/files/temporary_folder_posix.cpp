@@ -10,17 +10,8 @@
 
 namespace coppermoon::files {
 
-RemovalAtEnd::RemovalAtEnd(const std::filesystem::path& path) {
-  try {
-    alive_.emplace();
-    start(remover_,
-          {.words = {"sh", "-c", "cat && rm -rf -- \"$0\"", std::filesystem::absolute(path)},
-           .package = "dash",
-           .outlives_us = true},
-          {.input = &alive_->out});
-    alive_->out.close();
-  } catch (const algebra::Error&) {
-  }
+Program remover_of(const std::filesystem::path& path) {
+  return {.words = {"sh", "-c", "cat && rm -rf -- \"$0\"", path}, .package = "dash"};
 }
 
 TemporaryFolder::TemporaryFolder() {

@@ -10,20 +10,12 @@
 
 namespace coppermoon::files {
 
-/// A child process, cmd, waits in `set /p` until its input ends. It takes the path from a variable, because cmd does
+/// The program is cmd, which waits in `set /p` until its input ends. It takes the path from a variable, because cmd does
 /// not follow the usual rules for quotes on a command line.
-RemovalAtEnd::RemovalAtEnd(const std::filesystem::path& path) {
-  try {
-    alive_.emplace();
-    start(remover_,
-          {.words = {"cmd", "/d", "/c", "set /p ended= & rd /s /q %GONE% & del /f /q %GONE%"},
-           .package = "Windows",
-           .variables = {fmt::format("GONE=\"{}\"", std::filesystem::absolute(path).string())},
-           .outlives_us = true},
-          {.input = &alive_->out});
-    alive_->out.close();
-  } catch (const algebra::Error&) {
-  }
+Program remover_of(const std::filesystem::path& path) {
+  return {.words = {"cmd", "/d", "/c", "set /p ended= & rd /s /q %GONE% & del /f /q %GONE%"},
+          .package = "Windows",
+          .variables = {fmt::format("GONE=\"{}\"", path.string())}};
 }
 
 TemporaryFolder::TemporaryFolder() {
