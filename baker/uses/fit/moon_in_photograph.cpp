@@ -148,7 +148,7 @@ MoonPart moon_part(const texture::Image& photo, float saturated) {
   const auto clipped = clipped_in(part.photo, std::min(nearly_clipped, saturated));
   const float most = *std::ranges::max_element(part.luminance.values());
   for (std::size_t i = 0; i < clipped.values().size(); ++i)
-    if (clipped.values()[i] > 0) part.clipped.values()[i] = most;
+    if (clipped.values()[i] > 0) part.clipped.values()[i] = most, part.is_burnt = true;
   if (saturated < nearly_clipped) part.luminance = part.clipped;
   const auto within = [&](double at, std::size_t from) {
     return (at - static_cast<double>(from)) / part.shrunk;
@@ -195,8 +195,10 @@ colour::Registration registration_of(const FitScene& scene, const MoonPart& moon
   };
   const auto is_found = [&](double enough) { return best && best->correlation >= enough; };
   attempt(moon.luminance, scene.usual);
-  if (how == Registering::of_clipped && !is_found(well)) attempt(moon.clipped, scene.usual);
-  if (!scene.glow.empty() && !is_found(very_well) && !lies_in_umbra(scene.sky))
+  if (how == Registering::of_clipped && !is_found(well) &&
+      !std::ranges::equal(moon.clipped.values(), moon.luminance.values()))
+    attempt(moon.clipped, scene.usual);
+  if (moon.is_burnt && !scene.glow.empty() && !is_found(very_well) && !lies_in_umbra(scene.sky))
     attempt(moon.clipped, glowing(scene));
   if (!best) std::rethrow_exception(first);
   return *best;

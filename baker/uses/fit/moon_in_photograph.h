@@ -22,6 +22,7 @@ struct MoonPart {
       {};                   ///< luminance, set to its greatest value where any channel is clipped
   colour::Disc disc = {};   ///< the Moon's disc in `photo`
   double shrunk = 1;        ///< factor by which `photo` was shrunk
+  bool is_burnt = false;    ///< whether any pixel may be clipped
   float saturated = 0.97F;  ///< level above which a channel is no longer proportional to light
   std::array<double, 3> steps =
       {};  ///< quantisation step of each channel near black, in linear light; 0 if it is fine
@@ -48,7 +49,7 @@ enum class Registering {
 ///
 /// Given     scale  scale of the similarity, if it is known
 ///           how    of_clipped only if the moment is known, because at a wrong moment it finds false matches more often
-/// Returned  the best of several attempts. A crescent is also tried in its glow, if the scene has that
+/// Returned  the best of several attempts. A burnt crescent is also tried in its glow, if the scene has that
 /// Throws    Error  as colour::registered
 colour::Registration registration_of(const FitScene& scene, const MoonPart& moon,
                                      const std::optional<double>& scale = {},
