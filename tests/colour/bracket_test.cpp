@@ -4,8 +4,7 @@
 #include "colour/photograph.h"
 #include "support/testing.h"
 
-namespace coppermoon::colour {
-namespace {
+namespace coppermoon::colour::bracket_test {
 
 constexpr std::size_t side = 200;
 
@@ -92,5 +91,4 @@ TEST(Merged, RefusesWhatIsNoSet) {
   EXPECT_THROW(merged({&one, 1}), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::colour
+}  // namespace coppermoon::colour::bracket_test

@@ -11,8 +11,7 @@
 #include "support/luther_camera.h"
 #include "support/testing.h"
 
-namespace coppermoon::colour {
-namespace {
+namespace coppermoon::colour::camera_spectra_test {
 
 namespace fs = std::filesystem;
 
@@ -198,5 +197,4 @@ TEST_F(CameraSpectraTest, AreRefusedInOneLine) {
   EXPECT_NO_THROW(require_spectral("colorimetric"));
 }
 
-}  // namespace
-}  // namespace coppermoon::colour
+}  // namespace coppermoon::colour::camera_spectra_test

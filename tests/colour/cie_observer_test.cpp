@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::colour {
-namespace {
+namespace coppermoon::colour::cie_observer_test {
 
 std::vector<double> edges(double from, double to, double step) {
   std::vector<double> all;
@@ -87,5 +86,4 @@ TEST(CieObserver, RefusesEdgesThatAreNoBands) {
   EXPECT_THROW(xyz_weights(std::array{std::nan(""), 550.0}), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::colour
+}  // namespace coppermoon::colour::cie_observer_test

@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::colour {
-namespace {
+namespace coppermoon::colour::circles_test {
 
 using Picture = algebra::Grid<float>;
 
@@ -49,5 +48,4 @@ TEST(LikelyCircles, AreNoneWithoutADiscOrOfOneTooSmall) {
     EXPECT_GE(circle.radius_px, 5) << "as is stated";
 }
 
-}  // namespace
-}  // namespace coppermoon::colour
+}  // namespace coppermoon::colour::circles_test

@@ -4,8 +4,7 @@
 #include "baker/atmosphere/published_table.h"
 #include "support/testing.h"
 
-namespace coppermoon::colour {
-namespace {
+namespace coppermoon::colour::difference_test {
 
 struct Pair {
   Lab one, other;
@@ -77,5 +76,4 @@ TEST(Lab, RefusesWhatNoPictureHolds) {
   EXPECT_THROW(lab_from_srgb({0, 0, std::numeric_limits<float>::quiet_NaN()}), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::colour
+}  // namespace coppermoon::colour::difference_test

@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::colour {
-namespace {
+namespace coppermoon::colour::disc_features_test {
 
 using Picture = algebra::Grid<float>;
 
@@ -98,5 +97,4 @@ TEST(DiscFeatures, HaveNoWeightAtAClippedLimbNorBeyondThePicture) {
   EXPECT_EQ(cut.weight(39, 39 - 15), 0) << "left of the picture";
 }
 
-}  // namespace
-}  // namespace coppermoon::colour
+}  // namespace coppermoon::colour::disc_features_test

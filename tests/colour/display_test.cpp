@@ -10,8 +10,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::colour {
-namespace {
+namespace coppermoon::colour::display_test {
 
 using enum WorkingSpace;
 
@@ -609,5 +608,4 @@ TEST_F(LookUpTable, OfAUsersConfigurationHasTheActiveViewsAlone) {
   ::unsetenv("OCIO_ACTIVE_DISPLAYS");
 }
 
-}  // namespace
-}  // namespace coppermoon::colour
+}  // namespace coppermoon::colour::display_test

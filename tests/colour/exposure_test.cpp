@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::colour {
-namespace {
+namespace coppermoon::colour::exposure_test {
 
 TEST(Exposure, SaturatesAtTheLuminanceOfIso12232) {
   // At EV100 = 0 (1 s, f/1, ISO 100) the sensor saturates at 78 / (0.65 · 100) = 1.2 cd/m².
@@ -75,5 +74,4 @@ TEST(RealSettings, LeaveWhatNoCameraShows) {
   EXPECT_DOUBLE_EQ(real_iso(34), 34);
 }
 
-}  // namespace
-}  // namespace coppermoon::colour
+}  // namespace coppermoon::colour::exposure_test

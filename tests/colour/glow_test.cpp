@@ -4,8 +4,7 @@
 #include "colour/camera.h"
 #include "support/testing.h"
 
-namespace coppermoon::colour {
-namespace {
+namespace coppermoon::colour::glow_test {
 
 using std::numbers::pi;
 
@@ -126,5 +125,4 @@ TEST(Glow, OfNothingIsNothing) {
   EXPECT_THROW(with_glow(scene, 0.05, 0), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::colour
+}  // namespace coppermoon::colour::glow_test

@@ -4,8 +4,7 @@
 #include "support/testing.h"
 #include "support/thorough.h"
 
-namespace coppermoon::colour {
-namespace {
+namespace coppermoon::colour::limb_in_jpeg_test {
 
 enum class Kind { full, shallow, deep, total, cut };
 
@@ -147,5 +146,4 @@ TEST(LimbInJpeg, IsNotSeenWhereThereIsNoMoon) {
     }
 }
 
-}  // namespace
-}  // namespace coppermoon::colour
+}  // namespace coppermoon::colour::limb_in_jpeg_test

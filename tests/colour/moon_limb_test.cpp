@@ -5,8 +5,7 @@
 #include "support/testing.h"
 #include "support/thorough.h"
 
-namespace coppermoon::colour {
-namespace {
+namespace coppermoon::colour::moon_limb_test {
 
 /// A disc at a random place.
 struct Trial {
@@ -103,5 +102,4 @@ TEST(Limb, RefusesWhatIsNoPicture) {
   EXPECT_THROW(limb_of(Luminance(15, 40)), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::colour
+}  // namespace coppermoon::colour::moon_limb_test

@@ -5,8 +5,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::colour {
-namespace {
+namespace coppermoon::colour::photograph_test {
 
 constexpr auto rec709 = WorkingSpace::linear_rec709;
 
@@ -262,5 +261,4 @@ TEST(Cameras, AreSound) {
     EXPECT_NO_THROW(require_sound(camera_named(name))) << name;
 }
 
-}  // namespace
-}  // namespace coppermoon::colour
+}  // namespace coppermoon::colour::photograph_test

@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::colour {
-namespace {
+namespace coppermoon::colour::picture_part_test {
 
 algebra::Grid<float> numbered(std::size_t rows, std::size_t columns) {
   algebra::Grid<float> picture(rows, columns);
@@ -39,5 +38,4 @@ TEST(WindowAbout, EndsWhereThePictureDoes) {
   EXPECT_EQ(cut.rows, 15u);
 }
 
-}  // namespace
-}  // namespace coppermoon::colour
+}  // namespace coppermoon::colour::picture_part_test

@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::colour {
-namespace {
+namespace coppermoon::colour::point_spread_test {
 
 using std::numbers::pi;
 using Picture = algebra::Grid<double>;
@@ -165,5 +164,4 @@ TEST(Blurred, RefusesWhatNoTelescopeIs) {
   EXPECT_THROW(blurred(star(8), {{0.1, 0}, 550, 0}, 0), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::colour
+}  // namespace coppermoon::colour::point_spread_test

@@ -4,8 +4,7 @@
 #include "colour/photographed_moon.h"
 #include "support/testing.h"
 
-namespace coppermoon::colour {
-namespace {
+namespace coppermoon::colour::registration_test {
 
 using std::numbers::pi;
 
@@ -223,5 +222,4 @@ TEST(Registration, RefusesTheSun) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::colour
+}  // namespace coppermoon::colour::registration_test

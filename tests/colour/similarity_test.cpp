@@ -4,8 +4,7 @@
 #include "algebra/random.h"
 #include "support/testing.h"
 
-namespace coppermoon::colour {
-namespace {
+namespace coppermoon::colour::similarity_test {
 
 using std::numbers::pi;
 
@@ -128,5 +127,4 @@ TEST(NoiseOfMeans, IsThatOfNoiseTurnedAndResampled) {
           << scale << ", " << turned;
 }
 
-}  // namespace
-}  // namespace coppermoon::colour
+}  // namespace coppermoon::colour::similarity_test

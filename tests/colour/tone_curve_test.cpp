@@ -8,8 +8,7 @@
 #include "colour/measured_tone_curves.h"
 #include "support/testing.h"
 
-namespace coppermoon::colour {
-namespace {
+namespace coppermoon::colour::tone_curve_test {
 
 /// IEC 61966-2-1.
 double displayed_at(double level) {
@@ -128,5 +127,4 @@ TEST(ToneCurve, TabulatedIsTheSame) {
   EXPECT_EQ(table(0), 0);
 }
 
-}  // namespace
-}  // namespace coppermoon::colour
+}  // namespace coppermoon::colour::tone_curve_test

@@ -7,8 +7,7 @@
 #include "colour/cie_observer.h"
 #include "support/testing.h"
 
-namespace coppermoon::colour {
-namespace {
+namespace coppermoon::colour::working_space_test {
 
 using enum WorkingSpace;
 
@@ -155,5 +154,4 @@ TEST(IntoGamut, RefusesWhatIsNoLight) {
   EXPECT_THROW(into_gamut(linear_rec709, nothing), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::colour
+}  // namespace coppermoon::colour::working_space_test

@@ -6,8 +6,7 @@
 #include "support/program.h"
 #include "texture/read_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::animate_test {
 
 namespace fs = std::filesystem;
 
@@ -384,5 +383,4 @@ TEST_F(Animate, SaysWhenTheMoonIsUp) {
   EXPECT_GT(std::ranges::max(first.values), 0) << "some of the Moon is in the first frame";
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::animate_test

@@ -2,8 +2,7 @@
 #include "support/program.h"
 #include "texture/write_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::bad_input_test {
 
 constexpr const char* eclipse_of_2008 = "2008-02-21T03:26:05Z";
 
@@ -266,5 +265,4 @@ TEST_F(BadInput, APictureThatIsNoneIsRefused) {
                       {"develop grey.exr -o frame.png", {"channels Y, allowed R, G, B"}}});
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::bad_input_test

@@ -6,8 +6,7 @@
 #include "almanac/sky.h"
 #include "support/program.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::brightness_test {
 
 class Brightness : public ProgramTest {
  protected:
@@ -69,5 +68,4 @@ TEST_F(Brightness, OfTheEclipseOf2004IsWhatObserversSaw) {
   EXPECT_WITHIN(eclipsed["magnitudes"]["V"].get<double>(), -2.2, 0.2, "the observers' spread");
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::brightness_test

@@ -5,8 +5,7 @@
 
 #include "support/program.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::cache_test {
 
 using nlohmann::json;
 using std::chrono::hours;
@@ -105,5 +104,4 @@ TEST_F(Cache, RefusesWhatItCannotDo) {
             "coppermoon: COPPERMOON_CACHE_LIMIT [GB] = much, allowed a number of 0 or more\n");
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::cache_test

@@ -10,8 +10,7 @@
 #include "texture/write_image.h"
 #include "uses/picture/pixels.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::camera_test {
 
 constexpr const char *deep = "2008-02-21T03:08:26Z", *new_york = "42.86,-73.77";
 
@@ -402,5 +401,4 @@ TEST_F(CameraTest, LeavesNoPartOfARawFileOnAFullDisk) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::camera_test

@@ -10,8 +10,7 @@
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::compare_test {
 
 using nlohmann::json;
 
@@ -295,5 +294,4 @@ TEST_F(Compare, RefusesWhatIsNoPairOfMoons) {
   expect_refused("compare photo.png", "render", wrong_usage);
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::compare_test

@@ -16,8 +16,7 @@
 #include "surface/albedo_map.h"
 #include "texture/read_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::craters_test {
 
 using almanac::Instant;
 using almanac::SelenographicPoint;
@@ -234,5 +233,4 @@ TEST_F(BakedCratersThoroughly, DarkenFastestAtThePublishedMinutes) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::craters_test

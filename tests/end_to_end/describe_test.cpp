@@ -6,8 +6,7 @@
 
 #include "support/program.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::describe_test {
 
 using nlohmann::json;
 using Names = std::set<std::string>;
@@ -234,5 +233,4 @@ TEST_F(RangesThoroughly, AreThoseThatTheLibraryKeeps) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::describe_test

@@ -4,8 +4,7 @@
 #include "support/program.h"
 #include "texture/read_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::dome_test {
 
 using nlohmann::json;
 
@@ -112,5 +111,4 @@ TEST_F(DomeFile, IsRefusedInOneLine) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::dome_test

@@ -7,8 +7,7 @@
 #include "support/program.h"
 #include "uses/picture/brightness.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::eclipses_test {
 
 /// As the almanac has it.
 struct Eclipse {
@@ -209,5 +208,4 @@ TEST_F(EclipsesThoroughly, OfEachDegreeOfDanjonsScaleHaveItsMagnitude) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::eclipses_test

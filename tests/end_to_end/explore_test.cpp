@@ -13,8 +13,7 @@
 #include "support/testing.h"
 #include "texture/read_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::explore_test {
 
 using nlohmann::json;
 
@@ -887,5 +886,4 @@ TEST_F(Explore, WhatIsNoPageIsRefused) {
   EXPECT_EQ(listing(), std::set<std::string>{});
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::explore_test

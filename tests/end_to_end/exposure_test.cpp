@@ -6,8 +6,7 @@
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::exposure_test {
 
 using std::numbers::pi;
 
@@ -152,5 +151,4 @@ TEST_F(Exposure, OfAnotherProgramsSceneIsACamerasWhereOneIsMeant) {
   EXPECT_EQ(texture::read_attribute(here("land.png"), "expTime"), "2");
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::exposure_test

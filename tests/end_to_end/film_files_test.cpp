@@ -5,8 +5,7 @@
 #include "support/program.h"
 #include "texture/read_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::film_files_test {
 
 class FilmFiles : public ProgramTest {
  protected:
@@ -132,5 +131,4 @@ TEST_F(FilmFiles, MayBeMipmappedTexturesOfAFewMoments) {
       "coppermoon: tx are textures without parts and frames, allowed in a film of their own\n");
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::film_files_test

@@ -9,8 +9,7 @@
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::film_folder_test {
 
 namespace fs = std::filesystem;
 
@@ -190,5 +189,4 @@ TEST_F(FilmFolderThoroughly, IsMadeWithStandardDescriptorsClosed) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::film_folder_test

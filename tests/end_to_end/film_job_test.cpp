@@ -4,8 +4,7 @@
 
 #include "support/program.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::film_job_test {
 
 namespace fs = std::filesystem;
 
@@ -189,5 +188,4 @@ TEST_F(FilmJob, OfAnotherFilmInTheFolderIsRefusedInADryRunToo) {
   EXPECT_EQ(written(), before);
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::film_job_test

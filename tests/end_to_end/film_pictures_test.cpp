@@ -6,8 +6,7 @@
 #include "texture/contact_sheet.h"
 #include "texture/read_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::film_pictures_test {
 
 double coded(double linear) {
   return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
@@ -195,5 +194,4 @@ TEST_F(FilmPictures, LeaveNoMovieThatFailed) {
     EXPECT_TRUE(name.starts_with("here")) << name << " was left behind";
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::film_pictures_test

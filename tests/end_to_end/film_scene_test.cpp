@@ -6,8 +6,7 @@
 #include "support/program.h"
 #include "texture/read_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::film_scene_test {
 
 namespace fs = std::filesystem;
 
@@ -112,5 +111,4 @@ TEST_F(FilmScene, SaysWhichOptionsItHasNoUseFor) {
   EXPECT_EQ(listed.err, "coppermoon: --mount, --field: no effect beside --scene\n" + begins_at);
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::film_scene_test

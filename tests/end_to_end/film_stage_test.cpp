@@ -6,8 +6,7 @@
 #include "support/program.h"
 #include "texture/read_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::film_stage_test {
 
 using nlohmann::json;
 
@@ -127,5 +126,4 @@ TEST_F(FilmStage, SaysWhatItCannotBeMadeOf) {
   EXPECT_TRUE(listing().empty());
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::film_stage_test

@@ -6,8 +6,7 @@
 #include "support/program.h"
 #include "texture/read_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::film_test {
 
 constexpr std::size_t frames = 240;
 
@@ -76,5 +75,4 @@ TEST_F(Film, OfAWholeEclipseDoesNotFlickerOrPop) {
   EXPECT_WITHIN(all.front().mean_log, all.back().mean_log, 0.2, "stops: full Moons both");
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::film_test

@@ -10,8 +10,7 @@
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::fit_test {
 
 using nlohmann::json;
 
@@ -394,5 +393,4 @@ TEST_F(FitThoroughly, RefusesWhatItCannotExplain) {
             "coppermoon: dot.png: height of a picture [pixels] = 10, allowed 16 to 65535\n");
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::fit_test

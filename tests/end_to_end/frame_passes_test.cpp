@@ -7,8 +7,7 @@
 #include "support/program.h"
 #include "texture/read_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::frame_passes_test {
 
 using texture::Image;
 
@@ -185,5 +184,4 @@ TEST_F(FramePasses, AreOfFramesAlone) {
   EXPECT_EQ(both.err, "coppermoon: passes need a film of textures alone, or of frames\n");
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::frame_passes_test

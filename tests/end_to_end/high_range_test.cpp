@@ -8,8 +8,7 @@
 #include "uses/picture/disc_outline.h"
 #include "uses/picture/picture_files.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::high_range_test {
 
 const Words moon = "--atmosphere undated --albedo-map built-in --width 180 --height 120";
 constexpr double time_s = 0.05;
@@ -211,5 +210,4 @@ TEST(Pq, IsThatOfThePublishedStandard) {
   EXPECT_WITHIN(uses::light_of_pq(uses::pq_of_light(1e-7)), 1e-7, 1e-12, "rounding");
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::high_range_test

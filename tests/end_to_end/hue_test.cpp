@@ -7,8 +7,7 @@
 #include "support/program.h"
 #include "texture/read_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::hue_test {
 
 struct Moment {
   const char *when, *at;
@@ -111,5 +110,4 @@ TEST_F(HueThoroughly, IsThatOfPhotographsOfSixEclipses) {
     expect_alike(moment);
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::hue_test

@@ -9,8 +9,7 @@
 
 #include "support/program.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::image_reader_test {
 
 /// Sunlight alone: a texture in a fraction of a second.
 constexpr std::string_view recipe =
@@ -265,5 +264,4 @@ TEST_F(ImageReader, ServesMaketx) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::image_reader_test

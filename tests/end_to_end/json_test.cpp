@@ -5,8 +5,7 @@
 #include "support/csv_rows.h"
 #include "support/program.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::json_test {
 
 using nlohmann::json;
 using Names = std::set<std::string>;
@@ -249,5 +248,4 @@ TEST_F(Json, ListsTheStarsOfAnObserversSky) {
   EXPECT_EQ(coppermoon(sky).err, "coppermoon: stars are listed with --at and --json\n");
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::json_test

@@ -6,8 +6,7 @@
 #include "support/program.h"
 #include "texture/write_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::lost_files_test {
 
 namespace fs = std::filesystem;
 
@@ -117,5 +116,4 @@ TEST_F(LostFiles, AreNotThoseWrittenAgain) {
     expect_done(coppermoon(bake("--albedo-map map.png -o moon.exr")));
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::lost_files_test

@@ -8,8 +8,7 @@
 #include "support/program.h"
 #include "texture/read_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::low_moon_test {
 
 using algebra::degrees;
 
@@ -101,5 +100,4 @@ TEST_F(LowMoon, KeepsItsTexture) {
   EXPECT_EQ(texels("flat"), texels("round"));
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::low_moon_test

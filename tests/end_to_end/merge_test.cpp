@@ -6,8 +6,7 @@
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::merge_test {
 
 using texture::Attributes;
 
@@ -163,5 +162,4 @@ TEST_F(Develop, KeepsWhatAFramesHeaderSaysOfTheScene) {
   EXPECT_EQ(texture::read_attribute(here("a.exr"), "capDate"), "2018:07:27 20:40:00");
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::merge_test

@@ -5,8 +5,7 @@
 #include "support/csv_rows.h"
 #include "support/program.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::night_test {
 
 class Night : public ProgramTest {
  protected:
@@ -203,5 +202,4 @@ TEST_F(AlmanacFiles, KeepTheirColumnsApartInYearsWithASign) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::night_test

@@ -8,8 +8,7 @@
 #include "support/chance.h"
 #include "support/program.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::nights_test {
 
 /// Each of five eclipses with each of five cameras.
 constexpr int nights = 25;
@@ -173,5 +172,4 @@ TEST_F(Nights, OfStrangersAreFoundWithTheirAirAndClocks) {
   expect_as_promised(tally, support::asked({13, 25}, nights, tally.nights, 0.7));
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::nights_test

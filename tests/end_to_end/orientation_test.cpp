@@ -9,8 +9,7 @@
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::orientation_test {
 
 using algebra::degrees;
 
@@ -218,5 +217,4 @@ TEST_F(Orientation, SpotsStandWhereTextbookFormulaePutThem) {
   EXPECT_GT(worst_distance(centres_in(mirrored(frame)), expected), 20);
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::orientation_test

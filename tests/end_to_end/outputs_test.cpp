@@ -9,8 +9,7 @@
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::outputs_test {
 
 using nlohmann::json;
 
@@ -171,5 +170,4 @@ TEST_F(Outputs, OfStillHoldTheirFrameInTheSpaceAskedFor) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::outputs_test

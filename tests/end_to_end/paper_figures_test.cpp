@@ -7,8 +7,7 @@
 #include "support/program.h"
 #include "texture/read_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::paper_figures_test {
 
 using texture::Image;
 
@@ -308,5 +307,4 @@ TEST_F(PaperFiguresThoroughly, Figures7bAnd7cAreCopperAllOverAndTheSecondTheDark
   EXPECT_LT(means[1], means[0]);
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::paper_figures_test

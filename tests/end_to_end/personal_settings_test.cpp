@@ -2,8 +2,7 @@
 // What a user has set for POV-Ray and gnuplot changes no picture of ours.
 #include "support/program.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::personal_settings_test {
 
 class PersonalSettings : public ProgramTest {
  protected:
@@ -52,5 +51,4 @@ TEST_F(PersonalSettings, OfGnuplotDoNotCount) {
   EXPECT_EQ(text_of(here("home.png")), text_of(here("alone.png")));
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::personal_settings_test

@@ -3,8 +3,7 @@
 #include "end_to_end/planned_run.h"
 #include "support/testing.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::planned_regions_test {
 
 TEST(PlannedRegions, KeepTheirPromises) {
   constexpr std::uint64_t all = 20;
@@ -20,5 +19,4 @@ TEST(PlannedRegions, KeepTheirPromises) {
   EXPECT_GE(count(results, &Result::told), support::asked({17, 20}, 20, runs, 0.85).least);
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::planned_regions_test

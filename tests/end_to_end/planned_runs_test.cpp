@@ -4,8 +4,7 @@
 #include "end_to_end/planned_run.h"
 #include "support/testing.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::planned_runs_test {
 
 TEST(PlannedRuns, KeepTheirPromises) {
   constexpr std::uint64_t all = 100;
@@ -71,5 +70,4 @@ TEST(TrueLuminance, IsThatOfThreeTimesTheRays) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::planned_runs_test

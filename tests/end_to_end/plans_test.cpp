@@ -4,8 +4,7 @@
 
 #include "support/program.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::plans_test {
 
 using nlohmann::json;
 
@@ -135,5 +134,4 @@ TEST_F(Plans, OfSixScenesAreSixDifferentOnes) {
   EXPECT_EQ(different.size(), 6U);
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::plans_test

@@ -6,8 +6,7 @@
 #include "uses/picture/lit_scene.h"
 #include "uses/picture/place_text.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::recipes_test {
 
 class Recipes : public ProgramTest {
  protected:
@@ -325,5 +324,4 @@ TEST_F(Recipes, PhotonsOfAnotherSeedAreOthers) {
               texture::read_image(here("others.exr")).values);
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::recipes_test

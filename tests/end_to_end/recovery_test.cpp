@@ -6,8 +6,7 @@
 #include "uses/fit/compared_night.h"
 #include "uses/fit/lit_bins.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::recovery_test {
 
 constexpr std::size_t photographs_an_instant = 20;
 constexpr std::uint64_t seed = 2018;
@@ -141,5 +140,4 @@ TEST_F(Recovery, OfAHundredPhotographsFindsDustAndCloudAndKnowsHowWell) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::recovery_test

@@ -5,8 +5,7 @@
 #include "support/program.h"
 #include "texture/write_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::refusals_test {
 
 constexpr const char* eclipsed = "2008-02-21T03:26:05Z";
 
@@ -89,5 +88,4 @@ TEST_F(Refusals, AMissingFolderForTemporaryFilesIsNamed) {
   EXPECT_FALSE(std::filesystem::exists(here("film"))) << "said before any work";
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::refusals_test

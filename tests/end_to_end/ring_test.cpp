@@ -8,8 +8,7 @@
 #include "support/program.h"
 #include "texture/read_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::ring_test {
 
 using std::numbers::pi;
 using texture::Image;
@@ -163,5 +162,4 @@ TEST_F(Ring, ThatCannotBeSeenIsRefused) {
       "ring.png: a ring ends in .exr (scene-linear; `coppermoon develop` makes a picture of it)");
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::ring_test

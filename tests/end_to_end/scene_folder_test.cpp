@@ -5,8 +5,7 @@
 #include "support/program.h"
 #include "texture/read_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::scene_folder_test {
 
 class SceneFolder : public ProgramTest {
  protected:
@@ -230,5 +229,4 @@ TEST_F(SceneFolder, OfAStillIsMadeAgainFromItsPicture) {
   EXPECT_EQ(text_of(here("again.png")), text_of(here("still.png")));
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::scene_folder_test

@@ -10,8 +10,7 @@
 #include "end_to_end/eclipse_shader.h"
 #include "support/testing.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::shader_test {
 
 using nlohmann::json;
 using std::numbers::pi;
@@ -259,5 +258,4 @@ TEST_F(Shader, ItsStripsHeaderMakesItAgain) {
     EXPECT_EQ(text_of(here("again") / name), text_of(here("eclipse") / name)) << name;
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::shader_test

@@ -6,8 +6,7 @@
 #include "support/program.h"
 #include "texture/read_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::sky_exposure_test {
 
 namespace fs = std::filesystem;
 
@@ -75,5 +74,4 @@ TEST_F(SkyExposureThoroughly, OfFilmsFromAllOverTheEarth) {
   EXPECT_EQ(places, 24);
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::sky_exposure_test

@@ -2,8 +2,7 @@
 // The program starts without OpenImageIO, and loads it from its module when it first needs an image.
 #include "support/program.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::start_test {
 
 namespace fs = std::filesystem;
 
@@ -103,5 +102,4 @@ TEST_F(Start, WhatTheModuleThrowsIsOneLineLikeAnyError) {
                "empty.exr: cannot be read: it is empty");
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::start_test

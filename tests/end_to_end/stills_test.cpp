@@ -7,8 +7,7 @@
 #include "support/chance.h"
 #include "support/testing.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::stills_test {
 
 constexpr std::size_t hundreds = 3, stills_an_instant = 20;
 constexpr std::uint64_t first_seed = 2019;
@@ -172,5 +171,4 @@ TEST_F(Stills, OfTheProgramItselfBesideABurntCrescentHaveItsAir) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::stills_test

@@ -4,8 +4,7 @@
 
 #include "support/program.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::terms_test {
 
 enum Place { axis, half_way, edge };       // 0, 2300, 4400 km
 enum Colour { blue, green, orange, red };  // 450, 550, 600 (the deepest of ozone), 650 nm; and 690
@@ -178,5 +177,4 @@ TEST_F(Terms, ScatteredLightAndStarlightLightTheBlueOfTheAxisMost) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::terms_test

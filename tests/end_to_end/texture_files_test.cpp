@@ -10,8 +10,7 @@
 #include "texture/image.h"
 #include "texture/read_image.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::texture_files_test {
 
 using texture::Image;
 
@@ -365,5 +364,4 @@ TEST_F(TextureFiles, OfAFilmAreInTheSpaceAsked) {
             "acescg");
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::texture_files_test

@@ -4,8 +4,7 @@
 #include "support/csv_rows.h"
 #include "support/program.h"
 
-namespace coppermoon::end_to_end {
-namespace {
+namespace coppermoon::end_to_end::tradeoff_test {
 
 using Row = std::map<std::string, std::string>;
 
@@ -136,5 +135,4 @@ TEST_F(Tradeoff, RefusesAFolderThatCannotBeAndASolverThereIsNot) {
   EXPECT_EQ(listing(), std::set<std::string>({"here/taken"}));
 }
 
-}  // namespace
-}  // namespace coppermoon::end_to_end
+}  // namespace coppermoon::end_to_end::tradeoff_test

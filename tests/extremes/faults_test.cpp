@@ -8,8 +8,7 @@
 #include "extremes/faults.h"
 #include "extremes/tried.h"
 
-namespace coppermoon::extremes {
-namespace {
+namespace coppermoon::extremes::faults_test {
 
 #ifdef __SANITIZE_ADDRESS__
 constexpr bool address_sanitizer = true;
@@ -258,5 +257,4 @@ TEST_F(FaultsThoroughly, SumsThatAreSpoiltAreRefused) {
   refused("photons' sums that end early", said(outcome));
 }
 
-}  // namespace
-}  // namespace coppermoon::extremes
+}  // namespace coppermoon::extremes::faults_test

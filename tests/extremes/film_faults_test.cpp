@@ -8,8 +8,7 @@
 #include "extremes/tried.h"
 #include "support/testing.h"
 
-namespace coppermoon::extremes {
-namespace {
+namespace coppermoon::extremes::film_faults_test {
 
 const Words film =
     "animate 2018-07-27 --from U1 --to U2 --frames 8 --at -21,55 --field 0.9 --texture-width 256 "
@@ -66,5 +65,4 @@ TEST_F(FilmFaults, PovrayKilledIsSaidAndTheFilmGoesOn) {
   tried("`animate`, POV-Ray killed", "one line: " + outcome.err.substr(0, outcome.err.find('\n')));
 }
 
-}  // namespace
-}  // namespace coppermoon::extremes
+}  // namespace coppermoon::extremes::film_faults_test

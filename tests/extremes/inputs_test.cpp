@@ -9,8 +9,7 @@
 #include "texture/write_image.h"
 #include "uses/light/photon_file.h"
 
-namespace coppermoon::extremes {
-namespace {
+namespace coppermoon::extremes::inputs_test {
 
 /// IEC 61966-2-1, by hand.
 double srgb(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
@@ -480,5 +479,4 @@ TEST_F(Photographs, ThatDoNotGoTogetherAreRefused) {
   EXPECT_FALSE(std::filesystem::exists(here("b.exr")));
 }
 
-}  // namespace
-}  // namespace coppermoon::extremes
+}  // namespace coppermoon::extremes::inputs_test

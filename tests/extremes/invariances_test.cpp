@@ -17,8 +17,7 @@
 #include "support/testing.h"
 #include "texture/globe.h"
 
-namespace coppermoon::extremes {
-namespace {
+namespace coppermoon::extremes::invariances_test {
 
 using std::numbers::pi;
 
@@ -349,5 +348,4 @@ TEST(Splitting, APhotonRunInTwoAndMergingItAddsUpToTheSame) {
         "rounding of some twenty blocks");
 }
 
-}  // namespace
-}  // namespace coppermoon::extremes
+}  // namespace coppermoon::extremes::invariances_test

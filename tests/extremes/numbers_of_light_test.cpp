@@ -13,8 +13,7 @@
 #include "shadow/twilight.h"
 #include "support/testing.h"
 
-namespace coppermoon::extremes {
-namespace {
+namespace coppermoon::extremes::numbers_of_light_test {
 
 using atmosphere::Atmosphere;
 using atmosphere::Density;
@@ -357,5 +356,4 @@ TEST(PhotonRows, DrainABillionPhotonsWithoutADrift) {
         "rounding");
 }
 
-}  // namespace
-}  // namespace coppermoon::extremes
+}  // namespace coppermoon::extremes::numbers_of_light_test

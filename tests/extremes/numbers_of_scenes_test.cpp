@@ -22,8 +22,7 @@
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 
-namespace coppermoon::extremes {
-namespace {
+namespace coppermoon::extremes::numbers_of_scenes_test {
 
 using almanac::instant_from_utc;
 using almanac::LunarTheory;
@@ -403,5 +402,4 @@ TEST(Photometry, IsBoundedFromGrazingLightToLightFromAbove) {
   EXPECT_EQ(surface::radiance_factor(surface::Photometry::lommel_seeliger_rolo, 0, 0, {}), 0);
 }
 
-}  // namespace
-}  // namespace coppermoon::extremes
+}  // namespace coppermoon::extremes::numbers_of_scenes_test

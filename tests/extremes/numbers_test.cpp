@@ -9,8 +9,7 @@
 #include "photons/trace.h"
 #include "support/testing.h"
 
-namespace coppermoon::extremes {
-namespace {
+namespace coppermoon::extremes::numbers_test {
 
 using atmosphere::Column;
 using atmosphere::Density;
@@ -308,5 +307,4 @@ TEST(Rays, AreRefusedBelowTheGroundAndStraightAboveTheAir) {
   tried("rays on the top of the air and above it", "go straight, to the last bit");
 }
 
-}  // namespace
-}  // namespace coppermoon::extremes
+}  // namespace coppermoon::extremes::numbers_test

@@ -5,8 +5,7 @@
 #include "extremes/random_recipe.h"
 #include "support/program.h"
 
-namespace coppermoon::extremes {
-namespace {
+namespace coppermoon::extremes::random_recipes_test {
 
 class RandomRecipesTest : public ProgramTest {
  protected:
@@ -52,5 +51,4 @@ TEST_F(RandomRecipesTest, AreTheSameEachTime) {
     EXPECT_EQ(recipes.recipe(1, i).text, recipes.recipe(1, i).text);
 }
 
-}  // namespace
-}  // namespace coppermoon::extremes
+}  // namespace coppermoon::extremes::random_recipes_test

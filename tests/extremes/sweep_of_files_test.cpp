@@ -9,8 +9,7 @@
 #include "support/program.h"
 #include "texture/read_image.h"
 
-namespace coppermoon::extremes {
-namespace {
+namespace coppermoon::extremes::sweep_of_files_test {
 
 using algebra::Random;
 using Files = std::map<std::string, std::string>;  ///< bytes by name
@@ -239,5 +238,4 @@ TEST_P(SweepOfFiles, ChangesNoFileButItsOutputs) {
 
 INSTANTIATE_TEST_SUITE_P(FiveHundred, SweepOfFiles, testing::Range(0, 100));
 
-}  // namespace
-}  // namespace coppermoon::extremes
+}  // namespace coppermoon::extremes::sweep_of_files_test

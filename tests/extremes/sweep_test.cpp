@@ -9,8 +9,7 @@
 #include "support/program.h"
 #include "texture/read_image.h"
 
-namespace coppermoon::extremes {
-namespace {
+namespace coppermoon::extremes::sweep_test {
 
 namespace fs = std::filesystem;
 
@@ -124,5 +123,4 @@ TEST_P(Sweep, EndsInAValidFileOrOneLine) {
 
 INSTANTIATE_TEST_SUITE_P(TenThousand, Sweep, testing::Range(0, 100));
 
-}  // namespace
-}  // namespace coppermoon::extremes
+}  // namespace coppermoon::extremes::sweep_test

@@ -11,8 +11,7 @@
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 
-namespace coppermoon::extremes {
-namespace {
+namespace coppermoon::extremes::words_test {
 
 /// Names without their ending. Whoever takes one for an order makes a file `evil`.
 const Words all_names{"qu\"ote, it's",
@@ -256,5 +255,4 @@ TEST_F(StillsThoroughly, AreRenderedWhereverTemporaryFilesGo) {
   tried("TMPDIR of a name of quotes, newlines, #fopen", "a still, and nothing left there");
 }
 
-}  // namespace
-}  // namespace coppermoon::extremes
+}  // namespace coppermoon::extremes::words_test

@@ -10,8 +10,7 @@
 #include "support/testing.h"
 #include "uses/picture/view.h"
 
-namespace coppermoon::hand_off {
-namespace {
+namespace coppermoon::hand_off::blender_add_on_test {
 
 constexpr auto up = povray_scenes::Up::zenith;
 
@@ -719,5 +718,4 @@ TEST_F(BlenderAddOn, CyclesRendersARecipe) {
   EXPECT_EQ(part_that_differs(read, baked, radius_px(look.camera()), 0.001), 0);
 }
 
-}  // namespace
-}  // namespace coppermoon::hand_off
+}  // namespace coppermoon::hand_off::blender_add_on_test

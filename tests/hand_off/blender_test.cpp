@@ -9,8 +9,7 @@
 #include "hand_off/reference_projection.h"
 #include "support/testing.h"
 
-namespace coppermoon::hand_off {
-namespace {
+namespace coppermoon::hand_off::blender_test {
 
 using enum povray_scenes::Up;
 using texture::ExrType;
@@ -213,5 +212,4 @@ TEST_F(Blender, HasOneLineForAWrongFile) {
   EXPECT_SAYS(said("bare.exr"), "its header has no coppermoon:colour_space\n");
 }
 
-}  // namespace
-}  // namespace coppermoon::hand_off
+}  // namespace coppermoon::hand_off::blender_test

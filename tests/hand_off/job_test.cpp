@@ -2,8 +2,7 @@
 // A film's job, checked and run by Open Job Description's own program (openjd-cli of PyPI).
 #include "support/program.h"
 
-namespace coppermoon::hand_off {
-namespace {
+namespace coppermoon::hand_off::job_test {
 
 namespace fs = std::filesystem;
 
@@ -58,5 +57,4 @@ TEST_F(Job, IsRunByOpenJobDescriptionWithATaskKilledOnTheWay) {
   EXPECT_TRUE(files("film") == at_once) << "the bytes of the direct run";
 }
 
-}  // namespace
-}  // namespace coppermoon::hand_off
+}  // namespace coppermoon::hand_off::job_test

@@ -6,8 +6,7 @@
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 
-namespace coppermoon::hand_off {
-namespace {
+namespace coppermoon::hand_off::mitsuba_test {
 
 class Mitsuba : public ProgramTest {
  protected:
@@ -77,5 +76,4 @@ INSTANTIATE_TEST_SUITE_P(AtPlaces, MitsubaSees,
                                                "0.7"},
                                          Words{"2018-07-27T20:21:45Z", "--at", "52.9,-3.9"}));
 
-}  // namespace
-}  // namespace coppermoon::hand_off
+}  // namespace coppermoon::hand_off::mitsuba_test

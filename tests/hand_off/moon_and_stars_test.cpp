@@ -6,8 +6,7 @@
 #include "surface/albedo_map.h"
 #include "uses/picture/moon.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::moon_and_stars_test {
 
 /// Stored albedo over that of Stellarium's map, less 1.
 struct Stored {
@@ -57,5 +56,4 @@ TEST(Stars, AreMadeAgainFromStellariumsCatalogues) {
   std::filesystem::remove(made);
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::moon_and_stars_test

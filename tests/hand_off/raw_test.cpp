@@ -3,8 +3,7 @@
 #include "support/program.h"
 #include "texture/read_image.h"
 
-namespace coppermoon::hand_off {
-namespace {
+namespace coppermoon::hand_off::raw_test {
 
 class Raw : public ProgramTest {
  protected:
@@ -62,5 +61,4 @@ TEST_F(Raw, DarktableSeesTheSameLight) {
   expect_same_light(texture::read_light(here("a.dng")), texture::read_image(here("b.tif")));
 }
 
-}  // namespace
-}  // namespace coppermoon::hand_off
+}  // namespace coppermoon::hand_off::raw_test

@@ -3,8 +3,7 @@
 #include "end_to_end/eclipse_shader.h"
 #include "support/testing.h"
 
-namespace coppermoon::hand_off {
-namespace {
+namespace coppermoon::hand_off::shader_test {
 
 using end_to_end::EclipseShader;
 using end_to_end::ShaderTest;
@@ -59,5 +58,4 @@ TEST_F(Shader, OfOslFindsTheLightInCycles) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::hand_off
+}  // namespace coppermoon::hand_off::shader_test

@@ -11,8 +11,7 @@
 #include "povray_scenes/render.h"
 #include "support/testing.h"
 
-namespace coppermoon::hand_off {
-namespace {
+namespace coppermoon::hand_off::side_by_side_test {
 
 struct Frame {
   std::string name;
@@ -85,5 +84,4 @@ TEST_F(SideBySide, ThreeRenderersShowTheSameMoon) {
   expect_agreement(coarse, reference, radius, 0.1);
 }
 
-}  // namespace
-}  // namespace coppermoon::hand_off
+}  // namespace coppermoon::hand_off::side_by_side_test

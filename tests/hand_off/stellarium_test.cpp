@@ -7,8 +7,7 @@
 #include "hand_off/reference_projection.h"
 #include "support/testing.h"
 
-namespace coppermoon::hand_off {
-namespace {
+namespace coppermoon::hand_off::stellarium_test {
 
 using povray_scenes::Up;
 
@@ -116,5 +115,4 @@ TEST_F(Stellarium, WouldPaintAShadowOfItsOwn) {
   EXPECT_GT(mean_steps(disc_alone(shown(), radius), expected(in_umbra), radius), 10);
 }
 
-}  // namespace
-}  // namespace coppermoon::hand_off
+}  // namespace coppermoon::hand_off::stellarium_test

@@ -8,8 +8,7 @@
 #include "hand_off/blender.h"
 #include "support/within.h"
 
-namespace coppermoon::hand_off {
-namespace {
+namespace coppermoon::hand_off::three_films_test {
 
 using Clock = std::chrono::steady_clock;
 
@@ -153,5 +152,4 @@ TEST_F(ThreeFilms, AreAlike) {
   compare("POV-Ray, `clock`", povray, textures);
 }
 
-}  // namespace
-}  // namespace coppermoon::hand_off
+}  // namespace coppermoon::hand_off::three_films_test

@@ -5,8 +5,7 @@
 #include "support/program.h"
 #include "texture/image.h"
 
-namespace coppermoon::hand_off {
-namespace {
+namespace coppermoon::hand_off::tools_test {
 
 class Tools : public ProgramTest {
  protected:
@@ -73,5 +72,4 @@ TEST_F(Tools, OciocheckPassesTheConfiguration) {
   EXPECT_SAYS(said({"ociocheck", "--iconfig", config}), "passed");
 }
 
-}  // namespace
-}  // namespace coppermoon::hand_off
+}  // namespace coppermoon::hand_off::tools_test

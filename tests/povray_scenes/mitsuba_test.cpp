@@ -7,8 +7,7 @@
 #include "povray_scenes/meridian.h"
 #include "support/testing.h"
 
-namespace coppermoon::povray_scenes {
-namespace {
+namespace coppermoon::povray_scenes::mitsuba_test {
 
 MoonScene plain_scene() {
   return {.camera = {{221.25, -3.5, 7.125}, {0, 0.25, 1}, algebra::degrees(0.625), 640, 480},
@@ -132,5 +131,4 @@ TEST(WriteMitsubaScene, IsWrittenAgainUnlessSomebodyChangedIt) {
   EXPECT_THROW(require_mitsuba_place(folder.path), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::povray_scenes
+}  // namespace coppermoon::povray_scenes::mitsuba_test

@@ -7,8 +7,7 @@
 #include "povray_scenes/render.h"
 #include "support/testing.h"
 
-namespace coppermoon::povray_scenes {
-namespace {
+namespace coppermoon::povray_scenes::moon_include_test {
 
 using algebra::degrees;
 using std::numbers::pi;
@@ -104,5 +103,4 @@ TEST(MoonInclude, GivesItsLightOnceInASceneWithRadiosity) {
                          "half floats; radiosity adds no moonlight");
 }
 
-}  // namespace
-}  // namespace coppermoon::povray_scenes
+}  // namespace coppermoon::povray_scenes::moon_include_test

@@ -6,8 +6,7 @@
 #include "povray_scenes/meridian.h"
 #include "support/testing.h"
 
-namespace coppermoon::povray_scenes {
-namespace {
+namespace coppermoon::povray_scenes::moon_scene_test {
 
 using algebra::Error;
 
@@ -141,5 +140,4 @@ TEST(WriteScene, LeavesNothingHalfWritten) {
   EXPECT_EQ(files_in(parent.path), 1);
 }
 
-}  // namespace
-}  // namespace coppermoon::povray_scenes
+}  // namespace coppermoon::povray_scenes::moon_scene_test

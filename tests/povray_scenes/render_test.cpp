@@ -14,8 +14,7 @@
 #include "support/left_behind.h"
 #include "support/testing.h"
 
-namespace coppermoon::povray_scenes {
-namespace {
+namespace coppermoon::povray_scenes::render_test {
 
 using algebra::degrees;
 using algebra::Error;
@@ -495,5 +494,4 @@ TEST(Render, RefusesAFolderWithoutAScene) {
   EXPECT_THROW(render(folder.path / "none"), Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::povray_scenes
+}  // namespace coppermoon::povray_scenes::render_test

@@ -8,8 +8,7 @@
 #include "povray_scenes/meridian.h"
 #include "support/testing.h"
 
-namespace coppermoon::povray_scenes {
-namespace {
+namespace coppermoon::povray_scenes::scene_camera_test {
 
 using algebra::degrees;
 using algebra::Error;
@@ -380,5 +379,4 @@ TEST(CameraFixed, RefusesTheZenithAndWhatIsNoPlaceOfTheSky) {
   EXPECT_THROW(aimed(std::numeric_limits<double>::quiet_NaN(), 0), Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::povray_scenes
+}  // namespace coppermoon::povray_scenes::scene_camera_test

@@ -10,8 +10,7 @@
 #include "support/left_behind.h"
 #include "support/testing.h"
 
-namespace coppermoon::povray_scenes {
-namespace {
+namespace coppermoon::povray_scenes::sequence_test {
 
 using algebra::degrees;
 using algebra::Error;
@@ -402,5 +401,4 @@ TEST(RenderSequence, RefusesAFolderWithoutASequence) {
   EXPECT_EQ(files_in(folder.path), 2);
 }
 
-}  // namespace
-}  // namespace coppermoon::povray_scenes
+}  // namespace coppermoon::povray_scenes::sequence_test

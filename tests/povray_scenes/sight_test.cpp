@@ -5,8 +5,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::povray_scenes {
-namespace {
+namespace coppermoon::povray_scenes::sight_test {
 
 using algebra::degrees;
 
@@ -51,5 +50,4 @@ TEST(Sight, ShowsNothingBesideTheMoon) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::povray_scenes
+}  // namespace coppermoon::povray_scenes::sight_test

@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::algebra {
-namespace {
+namespace coppermoon::algebra::chebyshev_test {
 
 double polynomial(const std::vector<double>& powers, double x) {
   double sum = 0;
@@ -52,5 +51,4 @@ TEST(PowerSeries, IsTheSamePolynomial) {
     EXPECT_WITHIN(polynomial(powers, x), std::exp(x), 3e-8, "e/(2^8 9!)");
 }
 
-}  // namespace
-}  // namespace coppermoon::algebra
+}  // namespace coppermoon::algebra::chebyshev_test

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/testing.h"
 
-namespace coppermoon::algebra {
-namespace {
+namespace coppermoon::algebra::error_test {
 
 TEST(RequireWithin, LetsTheEndsOfTheRangePass) {
   EXPECT_NO_THROW(require_within("x", 380, 380, 780));
@@ -19,5 +18,4 @@ TEST(RequireWithin, NeverHoldsANaNForInside) {
   EXPECT_THROW(require_within("x", std::numeric_limits<double>::infinity(), 0, 1), Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::algebra
+}  // namespace coppermoon::algebra::error_test

@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::algebra {
-namespace {
+namespace coppermoon::algebra::grid_test {
 
 TEST(Grid, KeepsItsValuesRowByRow) {
   Grid<int> grid(2, 3, 7);
@@ -31,5 +30,4 @@ TEST(Grid, IsEmptyWhenNotGivenASize) {
   EXPECT_EQ(Grid<int>(4, 9).columns(), 9u);
 }
 
-}  // namespace
-}  // namespace coppermoon::algebra
+}  // namespace coppermoon::algebra::grid_test

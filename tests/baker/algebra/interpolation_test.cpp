@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::algebra {
-namespace {
+namespace coppermoon::algebra::interpolation_test {
 
 constexpr std::array x{1.0, 2.0, 4.0, 5.0};
 constexpr std::array y{10.0, 30.0, -10.0, 0.0};
@@ -181,5 +180,4 @@ TEST(MonotoneCubic, FindsItsPieceAmongVeryUnequalOnes) {
     }
 }
 
-}  // namespace
-}  // namespace coppermoon::algebra
+}  // namespace coppermoon::algebra::interpolation_test

@@ -4,8 +4,7 @@
 #include "baker/algebra/chi_squared.h"
 #include "support/testing.h"
 
-namespace coppermoon::algebra {
-namespace {
+namespace coppermoon::algebra::low_discrepancy_test {
 
 std::size_t part_of(double coordinate, std::size_t parts) {
   return static_cast<std::size_t>(coordinate * static_cast<double>(parts));
@@ -100,5 +99,4 @@ TEST(ScrambledBlock, RefusesDimensionsItDoesNotHave) {
   EXPECT_THROW(scrambled_block(1, 1, most_dimensions + 1), Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::algebra
+}  // namespace coppermoon::algebra::low_discrepancy_test

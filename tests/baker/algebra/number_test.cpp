@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::algebra {
-namespace {
+namespace coppermoon::algebra::number_test {
 
 TEST(NumberIn, IsWhatTheTextSpells) {
   EXPECT_EQ(number_in("1.5"), 1.5);
@@ -43,5 +42,4 @@ TEST(NumbersIn, AreThoseBetweenCommas) {
     EXPECT_EQ(numbers_in(text), std::nullopt) << "'" << text << "'";
 }
 
-}  // namespace
-}  // namespace coppermoon::algebra
+}  // namespace coppermoon::algebra::number_test

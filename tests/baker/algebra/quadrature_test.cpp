@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::algebra {
-namespace {
+namespace coppermoon::algebra::quadrature_test {
 
 double integral_of_power(int count, int power) {
   double sum = 0;
@@ -61,5 +60,4 @@ TEST(GaussLegendre, RefusesACountOutsideItsRange) {
   EXPECT_THROW(gauss_legendre(-1), Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::algebra
+}  // namespace coppermoon::algebra::quadrature_test

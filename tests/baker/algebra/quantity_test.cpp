@@ -5,8 +5,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::algebra {
-namespace {
+namespace coppermoon::algebra::quantity_test {
 
 template <class A, class B>
 concept Addable = requires(A a, B b) {
@@ -62,5 +61,4 @@ TEST(Quantity, OfADirectionIsAnAngleWithinACircle) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::algebra
+}  // namespace coppermoon::algebra::quantity_test

@@ -4,8 +4,7 @@
 #include "baker/algebra/chi_squared.h"
 #include "support/testing.h"
 
-namespace coppermoon::algebra {
-namespace {
+namespace coppermoon::algebra::random_test {
 
 using Words = std::array<std::uint32_t, 4>;
 
@@ -96,5 +95,4 @@ TEST(Random, TellsAllSixtyFourBitsOfSeedAndIndexApart) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::algebra
+}  // namespace coppermoon::algebra::random_test

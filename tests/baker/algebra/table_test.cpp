@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::algebra {
-namespace {
+namespace coppermoon::algebra::table_test {
 
 std::string refusal(std::string_view text) {
   return refusal_of([&] { parse_table(text, "air.csv"); });
@@ -65,5 +64,4 @@ TEST(ParseTextTable, KeepsCellsAsTextHeaderFirst) {
   EXPECT_EQ(rows[2], (std::vector<std::string>{"", ""}));
 }
 
-}  // namespace
-}  // namespace coppermoon::algebra
+}  // namespace coppermoon::algebra::table_test

@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::almanac {
-namespace {
+namespace coppermoon::almanac::calendar_test {
 
 TEST(Calendar, OfJuliusHasHistorysDates) {
   const auto julian = [](const char* date) { return date_in(Calendar::julian, date); };
@@ -40,5 +39,4 @@ TEST(Calendar, RoundsToTheNearestMinute) {
   EXPECT_EQ(rounded("-0584-05-22T15:07:31Z"), "-0584-05-22T15:08:00Z");
 }
 
-}  // namespace
-}  // namespace coppermoon::almanac
+}  // namespace coppermoon::almanac::calendar_test

@@ -6,8 +6,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::almanac {
-namespace {
+namespace coppermoon::almanac::ephemeris_test {
 
 constexpr double arcsecond = std::numbers::pi / 648000;
 
@@ -59,5 +58,4 @@ TEST(Moon, TheTwoTheoriesKeepTogetherFrom1500To2500) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::almanac
+}  // namespace coppermoon::almanac::ephemeris_test

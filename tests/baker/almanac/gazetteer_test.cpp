@@ -6,8 +6,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::almanac {
-namespace {
+namespace coppermoon::almanac::gazetteer_test {
 
 double latitude(const Observer& place) { return in_degrees(place.latitude); }
 double longitude(const Observer& place) { return in_degrees(place.longitude); }
@@ -200,5 +199,4 @@ TEST(LunarFeatures, LieOnTheMoon) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::almanac
+}  // namespace coppermoon::almanac::gazetteer_test

@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::almanac {
-namespace {
+namespace coppermoon::almanac::instant_test {
 
 double julian_day_ut(const Instant& instant) {
   return instant.tt_day + instant.tt_fraction - delta_t_s(instant) / 86400;
@@ -181,5 +180,4 @@ TEST(DeltaT, IsAPredictionAfterTheTableOnly) {
   EXPECT_TRUE(delta_t_is_predicted(instant_from_utc("2100-01-01")));
 }
 
-}  // namespace
-}  // namespace coppermoon::almanac
+}  // namespace coppermoon::almanac::instant_test

@@ -6,8 +6,7 @@
 #include "baker/almanac/published_rows.h"
 #include "support/testing.h"
 
-namespace coppermoon::almanac {
-namespace {
+namespace coppermoon::almanac::observer_test {
 
 using algebra::degrees;
 using algebra::in_degrees;
@@ -83,5 +82,4 @@ TEST(Observer, PlacesOffTheEarthAreRefused) {
   EXPECT_THROW(view_from({degrees(0), degrees(0), metres(1.1e5)}, sky), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::almanac
+}  // namespace coppermoon::almanac::observer_test

@@ -9,8 +9,7 @@
 #include "almanac/sky.h"
 #include "support/testing.h"
 
-namespace coppermoon::almanac {
-namespace {
+namespace coppermoon::almanac::planets_test {
 
 constexpr double degree = std::numbers::pi / 180, arcsec = degree / 3600;
 
@@ -175,5 +174,4 @@ TEST(Planets, UranusGoesBehindTheMoonOf2022WhenPublished) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::almanac
+}  // namespace coppermoon::almanac::planets_test

@@ -8,8 +8,7 @@
 #include "baker/almanac/published_rows.h"
 #include "support/testing.h"
 
-namespace coppermoon::almanac {
-namespace {
+namespace coppermoon::almanac::sky_test {
 
 using algebra::in_degrees;
 
@@ -111,5 +110,4 @@ TEST(PositionAngle, RunsFromNorthThroughEast) {
   EXPECT_WITHIN(in_degrees(position_angle(ahead, {1, -0.1, 0}, north)), -90, 1e-9, "rounding");
 }
 
-}  // namespace
-}  // namespace coppermoon::almanac
+}  // namespace coppermoon::almanac::sky_test

@@ -9,8 +9,7 @@
 #include "almanac/sky.h"
 #include "support/testing.h"
 
-namespace coppermoon::almanac {
-namespace {
+namespace coppermoon::almanac::stars_test {
 
 constexpr double degree = std::numbers::pi / 180, arcsec = degree / 3600, mas = arcsec / 1000;
 
@@ -146,5 +145,4 @@ TEST(Stars, ApparentPlacesAreThoseOfErfa) {
     }
 }
 
-}  // namespace
-}  // namespace coppermoon::almanac
+}  // namespace coppermoon::almanac::stars_test

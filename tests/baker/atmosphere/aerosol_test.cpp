@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::atmosphere {
-namespace {
+namespace coppermoon::atmosphere::aerosol_test {
 
 using algebra::nanometres;
 
@@ -41,5 +40,4 @@ TEST(TroposphericSpectrum, FollowsAngstromsLaw) {
   EXPECT_THROW(tropospheric_spectrum(nanometres(379.99)), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::atmosphere
+}  // namespace coppermoon::atmosphere::aerosol_test

@@ -4,8 +4,7 @@
 #include "atmosphere/astronomical_refraction.h"
 #include "support/testing.h"
 
-namespace coppermoon::atmosphere {
-namespace {
+namespace coppermoon::atmosphere::air_mass_test {
 
 TEST(AirMass, IsYoungsAtPublishedZenithDistances) {
   const double printed[][2] = {
@@ -67,5 +66,4 @@ TEST(AirMasses, OfLayersRefuseLightFromBelowTheHorizon) {
   EXPECT_THROW(ozone_air_mass(algebra::degrees(-0.1)), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::atmosphere
+}  // namespace coppermoon::atmosphere::air_mass_test

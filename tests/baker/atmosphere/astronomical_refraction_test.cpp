@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::atmosphere {
-namespace {
+namespace coppermoon::atmosphere::astronomical_refraction_test {
 
 using algebra::degrees;
 using algebra::in_arcminutes;
@@ -102,5 +101,4 @@ TEST(RefractedFlattening, RefusesWhatIsNoDisc) {
   EXPECT_THROW(refracted_flattening(degrees(91), degrees(0.5)), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::atmosphere
+}  // namespace coppermoon::atmosphere::astronomical_refraction_test

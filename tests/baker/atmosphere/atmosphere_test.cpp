@@ -7,8 +7,7 @@
 #include "atmosphere/rayleigh.h"
 #include "support/testing.h"
 
-namespace coppermoon::atmosphere {
-namespace {
+namespace coppermoon::atmosphere::atmosphere_test {
 
 using algebra::degrees;
 using algebra::in_degrees;
@@ -398,5 +397,4 @@ TEST(Richest, RefusesAirsThatDifferInAnythingElse) {
   refuses([](Atmosphere& a) { a.molecules.dispersion = Dispersion::ciddor_1996; });
 }
 
-}  // namespace
-}  // namespace coppermoon::atmosphere
+}  // namespace coppermoon::atmosphere::atmosphere_test

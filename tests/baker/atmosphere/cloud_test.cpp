@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::atmosphere {
-namespace {
+namespace coppermoon::atmosphere::cloud_test {
 
 /// A place, and its tropopause.
 struct Place {
@@ -54,5 +53,4 @@ TEST(Cirrus, IsThinUnderTheTropopause) {
   EXPECT_EQ(cirrus_extinction_per_m(16e3, 10e3), 0);
 }
 
-}  // namespace
-}  // namespace coppermoon::atmosphere
+}  // namespace coppermoon::atmosphere::cloud_test

@@ -4,8 +4,7 @@
 #include "baker/atmosphere/published_table.h"
 #include "support/testing.h"
 
-namespace coppermoon::atmosphere {
-namespace {
+namespace coppermoon::atmosphere::density_test {
 
 const auto levels = published_table("baker/atmosphere/data/us_standard_1976_levels.csv");
 
@@ -144,5 +143,4 @@ TEST(DensityBreaks, AreWhereTheSlopeJumpsAndNowhereElse) {
     }
 }
 
-}  // namespace
-}  // namespace coppermoon::atmosphere
+}  // namespace coppermoon::atmosphere::density_test

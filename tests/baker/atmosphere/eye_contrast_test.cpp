@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::atmosphere {
-namespace {
+namespace coppermoon::atmosphere::eye_contrast_test {
 
 constexpr double arcminute = std::numbers::pi / 180 / 60;
 
@@ -42,5 +41,4 @@ TEST(EyeContrast, FallsWithTheSkysLightAndTheLightsSize) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::atmosphere
+}  // namespace coppermoon::atmosphere::eye_contrast_test

@@ -5,8 +5,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::atmosphere {
-namespace {
+namespace coppermoon::atmosphere::figure_test {
 
 constexpr double a = earth_equatorial_radius_m, b = a * (1 - earth_flattening);
 constexpr double degree = std::numbers::pi / 180, solstice = 23.44 * degree;
@@ -128,5 +127,4 @@ TEST(Altitude, OverASphereIsTheDistanceLessTheRadius) {
   EXPECT_EQ(altitude_m(sphere, {0, 6.41e6, 0}), 1e4);
 }
 
-}  // namespace
-}  // namespace coppermoon::atmosphere
+}  // namespace coppermoon::atmosphere::figure_test

@@ -4,8 +4,7 @@
 #include "atmosphere/density.h"
 #include "support/testing.h"
 
-namespace coppermoon::atmosphere {
-namespace {
+namespace coppermoon::atmosphere::gases_test {
 
 using algebra::nanometres;
 
@@ -118,5 +117,4 @@ TEST(WaterVapour, IsThatOfTheModelAtmospheres) {
   EXPECT_WITHIN_RELATIVE(seasonal_water(algebra::degrees(-45), mid_january), 1.593, 1e-3, "summer");
 }
 
-}  // namespace
-}  // namespace coppermoon::atmosphere
+}  // namespace coppermoon::atmosphere::gases_test

@@ -5,8 +5,7 @@
 #include "atmosphere/ozone.h"
 #include "support/testing.h"
 
-namespace coppermoon::atmosphere {
-namespace {
+namespace coppermoon::atmosphere::observer_air_test {
 
 using algebra::degrees;
 using algebra::nanometres;
@@ -124,5 +123,4 @@ TEST(PressureRatio, IsPrintedInTheStandardAtmosphere) {
                            "geometric for geopotential altitude; warmer above 20 km");
 }
 
-}  // namespace
-}  // namespace coppermoon::atmosphere
+}  // namespace coppermoon::atmosphere::observer_air_test

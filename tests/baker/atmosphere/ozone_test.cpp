@@ -4,8 +4,7 @@
 #include "baker/atmosphere/published_table.h"
 #include "support/testing.h"
 
-namespace coppermoon::atmosphere {
-namespace {
+namespace coppermoon::atmosphere::ozone_test {
 
 using algebra::nanometres;
 
@@ -157,5 +156,4 @@ TEST(OzoneFilter, RefusesColumnsOutsideItsRange) {
   EXPECT_THROW(ozone_filter_yapo_cutler(nanometres(300), 300), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::atmosphere
+}  // namespace coppermoon::atmosphere::ozone_test

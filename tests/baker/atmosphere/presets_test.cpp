@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::atmosphere {
-namespace {
+namespace coppermoon::atmosphere::presets_test {
 
 TEST(Preset, OfThePaperIsItsSphereAndItsFilter) {
   const auto paper = preset("paper", algebra::degrees(20));
@@ -78,5 +77,4 @@ TEST(Preset, RefusesANameThereIsNot) {
       "atmosphere = venus, allowed paper, molecular, clear, undated, standard, calibrated, none");
 }
 
-}  // namespace
-}  // namespace coppermoon::atmosphere
+}  // namespace coppermoon::atmosphere::presets_test

@@ -5,8 +5,7 @@
 #include "baker/atmosphere/published_table.h"
 #include "support/testing.h"
 
-namespace coppermoon::atmosphere {
-namespace {
+namespace coppermoon::atmosphere::rayleigh_test {
 
 using algebra::nanometres;
 
@@ -81,5 +80,4 @@ TEST(KingFactor, RefusesWavelengthsOutsideItsRange) {
   EXPECT_THROW(king_factor_bates_1984(nanometres(780.01)), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::atmosphere
+}  // namespace coppermoon::atmosphere::rayleigh_test

@@ -4,8 +4,7 @@
 #include "baker/atmosphere/published_table.h"
 #include "support/testing.h"
 
-namespace coppermoon::atmosphere {
-namespace {
+namespace coppermoon::atmosphere::refractivity_test {
 
 using algebra::nanometres;
 
@@ -77,5 +76,4 @@ TEST(SeaLevelRefractivityCiddor, RefusesWavelengthsOutsideItsRange) {
   EXPECT_THROW(sea_level_refractivity_ciddor_1996(nanometres(780.01)), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::atmosphere
+}  // namespace coppermoon::atmosphere::refractivity_test

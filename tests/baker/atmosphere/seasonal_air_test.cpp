@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::atmosphere {
-namespace {
+namespace coppermoon::atmosphere::seasonal_air_test {
 
 using algebra::degrees;
 
@@ -67,5 +66,4 @@ TEST(SeasonalAir, FindsTheAltitudeOfAPressure) {
   EXPECT_THROW(SeasonalAir(degrees(91), 2001), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::atmosphere
+}  // namespace coppermoon::atmosphere::seasonal_air_test

@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::atmosphere {
-namespace {
+namespace coppermoon::atmosphere::sky_luminance_test {
 
 using algebra::degrees;
 
@@ -128,5 +127,4 @@ TEST(VisualExtinction, IsThatOfTheDepths) {
   EXPECT_GT(visual_extinction_mag({}), visual_extinction_mag(air));
 }
 
-}  // namespace
-}  // namespace coppermoon::atmosphere
+}  // namespace coppermoon::atmosphere::sky_luminance_test

@@ -4,8 +4,7 @@
 #include "baker/atmosphere/published_table.h"
 #include "support/testing.h"
 
-namespace coppermoon::atmosphere {
-namespace {
+namespace coppermoon::atmosphere::stratosphere_test {
 
 using algebra::nanometres;
 using enum StratosphericAerosol;
@@ -297,5 +296,4 @@ TEST(StratosphericDepthError, IsThatOfItsEra) {
   EXPECT_EQ(stratospheric_depth_error(2050), 0.003);
 }
 
-}  // namespace
-}  // namespace coppermoon::atmosphere
+}  // namespace coppermoon::atmosphere::stratosphere_test

@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::atmosphere {
-namespace {
+namespace coppermoon::atmosphere::tropopause_test {
 
 using algebra::degrees;
 
@@ -41,5 +40,4 @@ TEST(Tropopause, RunsOnOverTheNewYear) {
   EXPECT_LT(before, 11557);
 }
 
-}  // namespace
-}  // namespace coppermoon::atmosphere
+}  // namespace coppermoon::atmosphere::tropopause_test

@@ -4,8 +4,7 @@
 #include "atmosphere/sky_luminance.h"
 #include "support/testing.h"
 
-namespace coppermoon::atmosphere {
-namespace {
+namespace coppermoon::atmosphere::twilight_sky_test {
 
 using algebra::degrees;
 using std::numbers::pi;
@@ -155,5 +154,4 @@ TEST(TwilightSky, FollowsTheObserversAir) {
   EXPECT_THROW(TwilightSky(degrees(6), {}), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::atmosphere
+}  // namespace coppermoon::atmosphere::twilight_sky_test

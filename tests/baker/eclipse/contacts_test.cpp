@@ -7,8 +7,7 @@
 #include "eclipse/lunation.h"
 #include "support/testing.h"
 
-namespace coppermoon::eclipse {
-namespace {
+namespace coppermoon::eclipse::contacts_test {
 
 using almanac::Instant;
 using almanac::instant_from_utc;
@@ -294,5 +293,4 @@ TEST(TitlesOfEclipses, SayTheirTypeAndDay) {
   EXPECT_EQ(title_near("2023-05-05"), "Penumbral eclipse of the Moon, 2023-05-05");
 }
 
-}  // namespace
-}  // namespace coppermoon::eclipse
+}  // namespace coppermoon::eclipse::contacts_test

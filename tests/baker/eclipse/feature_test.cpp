@@ -7,8 +7,7 @@
 #include "baker/almanac/published_rows.h"
 #include "support/testing.h"
 
-namespace coppermoon::eclipse {
-namespace {
+namespace coppermoon::eclipse::feature_test {
 
 using algebra::degrees;
 using almanac::Instant;
@@ -159,5 +158,4 @@ TEST(FeatureTimes, APlaceThatIsNoneIsRefused) {
   EXPECT_THROW(times(eclipse, std::nan(""), 0), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::eclipse
+}  // namespace coppermoon::eclipse::feature_test

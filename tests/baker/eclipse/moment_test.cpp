@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::eclipse {
-namespace {
+namespace coppermoon::eclipse::moment_test {
 
 /// Espenak & Meeus (2006): total, U2 at 19:30:15 UT.
 Eclipse july_2018() {
@@ -62,5 +61,4 @@ TEST(Moment, OfNothingIsRefusedWithWhatIsAllowed) {
   EXPECT_SAYS(refusal("U1", penumbral), "P1, greatest, P4");
 }
 
-}  // namespace
-}  // namespace coppermoon::eclipse
+}  // namespace coppermoon::eclipse::moment_test

@@ -4,8 +4,7 @@
 #include "result/as_json.h"
 #include "support/within.h"
 
-namespace coppermoon::eclipse {
-namespace {
+namespace coppermoon::eclipse::seen_sky_test {
 
 double of_key(const char* key, const almanac::ObserverView& view) {
   return result::as_json(SeenSky{{}, view})[key].get<double>();
@@ -25,5 +24,4 @@ TEST(SeenSky, AltitudeIsThatWhichIsSeen) {
                 "arcminutes: Saemundsson (1986), printed to a tenth");
 }
 
-}  // namespace
-}  // namespace coppermoon::eclipse
+}  // namespace coppermoon::eclipse::seen_sky_test

@@ -7,8 +7,7 @@
 #include "almanac/instant.h"
 #include "support/testing.h"
 
-namespace coppermoon::eclipse {
-namespace {
+namespace coppermoon::eclipse::shadow_axis_test {
 
 using algebra::in_degrees;
 using algebra::in_metres;
@@ -92,5 +91,4 @@ TEST_F(GroundInShadow, OfTheNearSidesMiddleIsNearestToTheEarth) {
                 "the sub-Earth point's light time: 1.3 s of libration, some 1e-5 radians");
 }
 
-}  // namespace
-}  // namespace coppermoon::eclipse
+}  // namespace coppermoon::eclipse::shadow_axis_test

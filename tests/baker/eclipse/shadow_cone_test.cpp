@@ -4,8 +4,7 @@
 #include "atmosphere/figure.h"
 #include "support/testing.h"
 
-namespace coppermoon::eclipse {
-namespace {
+namespace coppermoon::eclipse::shadow_cone_test {
 
 using algebra::degrees;
 using algebra::in_arcminutes;
@@ -102,5 +101,4 @@ TEST(LunarSemidiameter, IsThirtyOneArcminutesAcrossAtTheMeanDistance) {
                 "2 × 932.6″ at 384 400 km (k = 0.2725), given to 0.1″");
 }
 
-}  // namespace
-}  // namespace coppermoon::eclipse
+}  // namespace coppermoon::eclipse::shadow_cone_test

@@ -13,7 +13,7 @@
 #include "files/lock.h"
 #include "support/testing.h"
 
-namespace {
+namespace cache_folder_test {
 
 namespace fs = std::filesystem;
 using coppermoon::algebra::Error;
@@ -99,4 +99,4 @@ TEST_F(CacheFolder, WaitsForNobodyWhoMayOnlyReadIt) {
   ::close(stranger);
 }
 
-}  // namespace
+}  // namespace cache_folder_test

@@ -4,7 +4,7 @@
 #include "baker/texture/scratch_folder.h"
 #include "support/testing.h"
 
-namespace {
+namespace endings_test {
 
 using namespace coppermoon::files;
 
@@ -18,4 +18,4 @@ TEST(Endings, AreSaidWithWhatTheyStandFor) {
                  std::string(other) + ": a picture ends in .exr (scene-linear), .png");
 }
 
-}  // namespace
+}  // namespace endings_test

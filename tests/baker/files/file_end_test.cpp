@@ -5,7 +5,7 @@
 #include "files/child_process.h"
 #include "support/testing.h"
 
-namespace {
+namespace file_end_test {
 
 using namespace std::string_literals;
 using coppermoon::files::has_its_end;
@@ -43,4 +43,4 @@ TEST_F(FileEnd, OfAnotherKindIsNotKnown) {
   EXPECT_FALSE(is_whole("\x89PNG")) << "cut off before it says what it is";
 }
 
-}  // namespace
+}  // namespace file_end_test

@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::files {
-namespace {
+namespace coppermoon::files::fingerprint_test {
 
 TEST(Fingerprint, IsXxHashs) {
   EXPECT_EQ(fingerprint(""), 0x2d06800538d394c2ULL) << "the published value for no bytes";
@@ -23,5 +22,4 @@ TEST(Fingerprint, OfPiecesIsThatOfTheWhole) {
   EXPECT_EQ(fingerprint_of_pieces(next), fingerprint(whole));
 }
 
-}  // namespace
-}  // namespace coppermoon::files
+}  // namespace coppermoon::files::fingerprint_test

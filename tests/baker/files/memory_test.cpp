@@ -4,7 +4,7 @@
 #include "baker/texture/scratch_folder.h"
 #include "support/testing.h"
 
-namespace {
+namespace memory_test {
 
 using namespace coppermoon::files;
 
@@ -14,4 +14,4 @@ TEST(Memory, ThatThereIsNotIsRefused) {
   EXPECT_GT(available_memory(), 1e6) << "of any machine on which this runs";
 }
 
-}  // namespace
+}  // namespace memory_test

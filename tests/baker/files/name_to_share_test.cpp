@@ -4,7 +4,7 @@
 #include "baker/texture/scratch_folder.h"
 #include "support/testing.h"
 
-namespace {
+namespace name_to_share_test {
 
 using coppermoon::files::name_to_share;
 using coppermoon::files::shared_file;
@@ -29,4 +29,4 @@ TEST_F(NameToShare, IsLookedForBesideTheFileThatHasIt) {
   EXPECT_EQ(shared_file("/home/alice/moon.tif", in_folder("frame.png")), "/home/alice/moon.tif");
 }
 
-}  // namespace
+}  // namespace name_to_share_test

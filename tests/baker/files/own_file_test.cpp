@@ -5,7 +5,7 @@
 #include "files/whole_file.h"
 #include "support/testing.h"
 
-namespace {
+namespace own_file_test {
 
 using coppermoon::files::is_stamped;
 using coppermoon::files::require_no_link;
@@ -49,4 +49,4 @@ TEST_F(OwnFile, IsNoLink) {
   EXPECT_NO_THROW(require_no_link(in_folder("ours")));
 }
 
-}  // namespace
+}  // namespace own_file_test

@@ -9,8 +9,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::files {
-namespace {
+namespace coppermoon::files::temporary_folder_test {
 
 bool gone_within_10_s(const std::filesystem::path& path) {
   for (int tries = 0; tries < 1000 && std::filesystem::exists(path); ++tries)
@@ -52,5 +51,4 @@ TEST(RemovalAtEnd, LeavesWhatOutlivesIt) {
   EXPECT_TRUE(std::filesystem::exists(folder.path()));
 }
 
-}  // namespace
-}  // namespace coppermoon::files
+}  // namespace coppermoon::files::temporary_folder_test

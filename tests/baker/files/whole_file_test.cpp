@@ -38,7 +38,7 @@ extern "C" int open(const char* path, int flags, ...) {
   return ::openat(AT_FDCWD, path, flags, mode);
 }
 
-namespace {
+namespace whole_file_test {
 
 using coppermoon::algebra::Error;
 using coppermoon::files::require_place_for;
@@ -228,4 +228,4 @@ TEST(NamesOnWindows, AreNoDevicesAndHaveNoSignsOfItsOwn) {
     EXPECT_EQ(coppermoon::files::why_not_on_windows(name), "has one of <>:\"|?*") << name;
 }
 
-}  // namespace
+}  // namespace whole_file_test

@@ -6,8 +6,7 @@
 #include "atmosphere/presets.h"
 #include "support/testing.h"
 
-namespace coppermoon::photons {
-namespace {
+namespace coppermoon::photons::bending_test {
 
 using algebra::nanometres;
 using atmosphere::Atmosphere;
@@ -359,5 +358,4 @@ TEST(LimbRay, RefusesImpactHeightsOutsideItsRange) {
                algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::photons
+}  // namespace coppermoon::photons::bending_test

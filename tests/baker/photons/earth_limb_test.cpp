@@ -4,8 +4,7 @@
 #include "atmosphere/presets.h"
 #include "support/testing.h"
 
-namespace coppermoon::photons {
-namespace {
+namespace coppermoon::photons::earth_limb_test {
 
 using algebra::degrees;
 using std::numbers::pi;
@@ -90,5 +89,4 @@ TEST(WholeLimb, OfBeltsIsEvenAndStraightBetweenThem) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::photons
+}  // namespace coppermoon::photons::earth_limb_test

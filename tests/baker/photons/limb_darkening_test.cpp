@@ -5,8 +5,7 @@
 #include "baker/atmosphere/published_table.h"
 #include "support/testing.h"
 
-namespace coppermoon::photons {
-namespace {
+namespace coppermoon::photons::limb_darkening_test {
 
 using algebra::nanometres;
 
@@ -203,5 +202,4 @@ TEST(DiscTerms, RefuseArgumentsOutsideTheirRange) {
   EXPECT_THROW(disc_terms(std::vector<double>{550, 790}, true), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::photons
+}  // namespace coppermoon::photons::limb_darkening_test

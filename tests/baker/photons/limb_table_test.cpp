@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::photons {
-namespace {
+namespace coppermoon::photons::limb_table_test {
 
 using atmosphere::Column;
 using atmosphere::Optics;
@@ -122,5 +121,4 @@ TEST(LimbTable, WithoutRefractionBendsNothing) {
   EXPECT_EQ(fan.impact_height_m, fan.tangent_height_m);
 }
 
-}  // namespace
-}  // namespace coppermoon::photons
+}  // namespace coppermoon::photons::limb_table_test

@@ -7,8 +7,7 @@
 #include "photons/solar_disc.h"
 #include "support/testing.h"
 
-namespace coppermoon::photons {
-namespace {
+namespace coppermoon::photons::photon_test {
 
 constexpr double sun_distance_m = 149597870700;
 
@@ -92,5 +91,4 @@ TEST(AtDepth, IsWhereTheLineCrossesThePlane) {
   EXPECT_WITHIN(place.z, 4.0, 1e-14, "rounding");
 }
 
-}  // namespace
-}  // namespace coppermoon::photons
+}  // namespace coppermoon::photons::photon_test

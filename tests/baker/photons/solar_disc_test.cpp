@@ -6,8 +6,7 @@
 #include "baker/atmosphere/published_table.h"
 #include "support/testing.h"
 
-namespace coppermoon::photons {
-namespace {
+namespace coppermoon::photons::solar_disc_test {
 
 std::vector<double> edges(int bands) {
   std::vector<double> nm;
@@ -83,5 +82,4 @@ TEST(RandomPlaceOnDisc, HasItsMeanAtTheCentreAndAQuarterForItsSquares) {
   EXPECT_WITHIN(x_squared, 0.25, 3.3 * std::sqrt((0.125 - 0.0625) / count), reason);
 }
 
-}  // namespace
-}  // namespace coppermoon::photons
+}  // namespace coppermoon::photons::solar_disc_test

@@ -6,8 +6,7 @@
 #include "photons/bending.h"
 #include "support/testing.h"
 
-namespace coppermoon::photons {
-namespace {
+namespace coppermoon::photons::trace_test {
 
 using algebra::degrees;
 using algebra::nanometres;
@@ -201,5 +200,4 @@ TEST(Trace, RefusesStepsOutsideItsRange) {
     EXPECT_THROW(trace(ray_in(5000), clear, green, {.step_m = step_m}), algebra::Error) << step_m;
 }
 
-}  // namespace
-}  // namespace coppermoon::photons
+}  // namespace coppermoon::photons::trace_test

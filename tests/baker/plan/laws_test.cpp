@@ -4,8 +4,7 @@
 #include "plan/plan.h"
 #include "support/testing.h"
 
-namespace coppermoon::plan {
-namespace {
+namespace coppermoon::plan::laws_test {
 
 const std::vector<std::span<const LawPoint>> laws{law_of_bands, law_of_rays, law_of_sun_terms,
                                                   law_of_planes, law_of_place_error};
@@ -184,5 +183,4 @@ TEST(PredictedSeconds, GoFromTableToLiteralUpwards) {
   EXPECT_LT(seconds(Solver::table), seconds(Solver::literal));
 }
 
-}  // namespace
-}  // namespace coppermoon::plan
+}  // namespace coppermoon::plan::laws_test

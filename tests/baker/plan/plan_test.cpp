@@ -4,8 +4,7 @@
 #include "plan/laws.h"
 #include "support/testing.h"
 
-namespace coppermoon::plan {
-namespace {
+namespace coppermoon::plan::plan_test {
 
 /// An eclipse like most: the disc in the umbra, an ellipsoid that matters, little scattered light.
 Scene ordinary() {
@@ -314,5 +313,4 @@ TEST(Finer, IsFinerInEveryKnobAndNeverCoarse) {
   EXPECT_LE(finer({.bands = 400, .rays = 10'000'000}).rays, 10'000'000) << "what is allowed";
 }
 
-}  // namespace
-}  // namespace coppermoon::plan
+}  // namespace coppermoon::plan::plan_test

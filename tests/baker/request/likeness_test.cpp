@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::request {
-namespace {
+namespace coppermoon::request::likeness_test {
 
 TEST(Likeness, CountsLettersToInsertDropOrChange) {
   for (const auto& [a, b, letters] : {std::tuple{"ozone-du", "ozone-du", 0U},
@@ -25,5 +24,4 @@ TEST(Likeness, FindsTheNearestOfKnownWords) {
   EXPECT_EQ(nearest(std::string(1'000'000, 'n'), known), "ozone-du") << "the only n, in no time";
 }
 
-}  // namespace
-}  // namespace coppermoon::request
+}  // namespace coppermoon::request::likeness_test

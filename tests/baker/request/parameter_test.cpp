@@ -2,8 +2,7 @@
 #include "request/parameter.h"
 #include "support/testing.h"
 
-namespace coppermoon::request {
-namespace {
+namespace coppermoon::request::parameter_test {
 
 /// A request with a lamp, whose brightness counts where the lamp is lit, and a file of a picture.
 struct Fields {
@@ -91,5 +90,4 @@ TEST(WithoutEffect, PassesOverParametersThatTheCommandHasNot) {
   EXPECT_EQ(said(), Texts{"brightness: no effect in this command"});
 }
 
-}  // namespace
-}  // namespace coppermoon::request
+}  // namespace coppermoon::request::parameter_test

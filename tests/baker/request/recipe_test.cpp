@@ -5,8 +5,7 @@
 
 #include <optional>
 
-namespace coppermoon::request {
-namespace {
+namespace coppermoon::request::recipe_test {
 
 /// A request with a field of each kind, and what its recipe says.
 struct Fields {
@@ -146,5 +145,4 @@ TEST(Differences, OfPartsLookAtThePartsInAnyOrder) {
   EXPECT_EQ(found[0].first, "a = 1; b = 2");
 }
 
-}  // namespace
-}  // namespace coppermoon::request
+}  // namespace coppermoon::request::recipe_test

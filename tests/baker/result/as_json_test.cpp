@@ -9,8 +9,7 @@
 #include "baker/result/lamp.h"
 #include "result/columns.h"
 
-namespace coppermoon::result {
-namespace {
+namespace coppermoon::result::as_json_test {
 
 TEST(AsJson, HasTheKeysInTheOrderOfTheDescription) {
   Lamp lamp;
@@ -60,5 +59,4 @@ TEST(ColumnsOf, GatherNumbersAloneAndAnglesInDegrees) {
   EXPECT_EQ(columns[1].second[1], 0.5);
 }
 
-}  // namespace
-}  // namespace coppermoon::result
+}  // namespace coppermoon::result::as_json_test

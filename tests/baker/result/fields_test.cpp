@@ -5,8 +5,7 @@
 
 #include "baker/result/lamp.h"
 
-namespace coppermoon::result {
-namespace {
+namespace coppermoon::result::fields_test {
 
 TEST(Fields, AreKnownByTheTypeAlone) {
   const auto fields = fields_of<Lamp>();
@@ -38,5 +37,4 @@ TEST(Fields, AreDocumentsWithUnitsAndMeanings) {
   EXPECT_EQ(meaning_of(fields_of<Wick>().all[0]), "its height [mm]");
 }
 
-}  // namespace
-}  // namespace coppermoon::result
+}  // namespace coppermoon::result::fields_test

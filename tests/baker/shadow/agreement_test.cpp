@@ -9,8 +9,7 @@
 #include "shadow/lookup.h"
 #include "support/testing.h"
 
-namespace coppermoon::shadow {
-namespace {
+namespace coppermoon::shadow::agreement_test {
 
 const Arrangement arrangement{1.479e11, {3.83e8}, true};
 
@@ -304,5 +303,4 @@ TEST(ByQuadrature, OfPlanesTogetherIsThatOfEachByItself) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::shadow
+}  // namespace coppermoon::shadow::agreement_test

@@ -8,8 +8,7 @@
 #include "baker/shadow/ring_means.h"
 #include "support/testing.h"
 
-namespace coppermoon::shadow {
-namespace {
+namespace coppermoon::shadow::by_photons_test {
 
 const Arrangement february_2008{1.479e11, {3.83e8}};
 const std::vector<double> waves{500, 580, 680};
@@ -300,5 +299,4 @@ TEST(Smoothed, KeepsAConstantAndShrinksTheError) {
                          "closed form for weights that do not grow with the axis distance");
 }
 
-}  // namespace
-}  // namespace coppermoon::shadow
+}  // namespace coppermoon::shadow::by_photons_test

@@ -9,8 +9,7 @@
 #include "photons/limb_darkening.h"
 #include "support/testing.h"
 
-namespace coppermoon::shadow {
-namespace {
+namespace coppermoon::shadow::by_quadrature_test {
 
 const Arrangement february_2008{1.479e11, {3.83e8}};
 
@@ -395,5 +394,4 @@ TEST(ByQuadrature, IsWholeWhereALoopAboutItIsEnded) {
     }
 }
 
-}  // namespace
-}  // namespace coppermoon::shadow
+}  // namespace coppermoon::shadow::by_quadrature_test

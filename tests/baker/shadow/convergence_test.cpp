@@ -3,8 +3,7 @@
 #include "shadow/by_photons.h"
 #include "support/testing.h"
 
-namespace coppermoon::shadow {
-namespace {
+namespace coppermoon::shadow::convergence_test {
 
 /// Rings from one to another, without that.
 struct Cut {
@@ -52,5 +51,4 @@ TEST(Convergence, ByTheTableFallsAtLeastAsFast) {
   EXPECT_LT(std::log10(many / few) / 3, -0.5 + 0.06) << "one run in a thousand of a true −1/2";
 }
 
-}  // namespace
-}  // namespace coppermoon::shadow
+}  // namespace coppermoon::shadow::convergence_test

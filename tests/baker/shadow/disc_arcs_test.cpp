@@ -4,8 +4,7 @@
 #include "shadow/irradiance.h"
 #include "support/testing.h"
 
-namespace coppermoon::shadow {
-namespace {
+namespace coppermoon::shadow::disc_arcs_test {
 
 using std::numbers::pi;
 
@@ -54,5 +53,4 @@ TEST(DiscArcs, HaveTheHarmonicsOfTheIntegralStepByStep) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::shadow
+}  // namespace coppermoon::shadow::disc_arcs_test

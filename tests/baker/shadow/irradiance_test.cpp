@@ -8,8 +8,7 @@
 #include "shadow/by_quadrature.h"
 #include "support/testing.h"
 
-namespace coppermoon::shadow {
-namespace {
+namespace coppermoon::shadow::irradiance_test {
 
 constexpr double pi = std::numbers::pi, sun_m = 1.479e11, moon_m = 3.83e8, earth_m = 6.42e6;
 
@@ -115,5 +114,4 @@ TEST(Arrangement, OutsideItsRangeIsRefused) {
   EXPECT_THROW(require_valid(Arrangement{1.5e11, {NAN}}), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::shadow
+}  // namespace coppermoon::shadow::irradiance_test

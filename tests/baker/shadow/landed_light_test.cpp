@@ -4,8 +4,7 @@
 #include "shadow/irradiance.h"
 #include "support/testing.h"
 
-namespace coppermoon::shadow {
-namespace {
+namespace coppermoon::shadow::landed_light_test {
 
 constexpr double sun_m = 1.5e11, moon_m = 3.8e8, radius_m = 6.4e6;
 
@@ -91,5 +90,4 @@ TEST(LandedLight, FallsAndRisesAsTheOpticalDepthOfItsRays) {
     }
 }
 
-}  // namespace
-}  // namespace coppermoon::shadow
+}  // namespace coppermoon::shadow::landed_light_test

@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::shadow {
-namespace {
+namespace coppermoon::shadow::landed_rows_test {
 
 TEST(TurnIntoCosines, AgreesWithTheStandardLibrary) {
   std::vector<double> angles;
@@ -18,5 +17,4 @@ TEST(TurnIntoCosines, AgreesWithTheStandardLibrary) {
         << angles[i];
 }
 
-}  // namespace
-}  // namespace coppermoon::shadow
+}  // namespace coppermoon::shadow::landed_rows_test

@@ -7,8 +7,7 @@
 #include "shadow/limb_landings.h"
 #include "support/testing.h"
 
-namespace coppermoon::shadow {
-namespace {
+namespace coppermoon::shadow::landing_statistics_test {
 
 TEST_F(ByTheTable, StandardErrorsAreThoseThatPhotonsMake) {
   // The mean over runs of 64 blocks of off²/error², which is t² of 63 degrees of freedom: 63/61.
@@ -106,5 +105,4 @@ TEST_F(ByTheTable, HaveATenthOfTheVarianceOfPlainPhotonsOrLess) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::shadow
+}  // namespace coppermoon::shadow::landing_statistics_test

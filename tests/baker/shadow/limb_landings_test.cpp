@@ -7,8 +7,7 @@
 #include "photons/photon.h"
 #include "support/testing.h"
 
-namespace coppermoon::shadow {
-namespace {
+namespace coppermoon::shadow::limb_landings_test {
 
 TEST_F(ByTheTable, StopAtTheirTolerance) {
   auto few = settings(100'000'000, 7);
@@ -80,5 +79,4 @@ TEST(LimbLandings, AimFromTheSunAtTheAirAndLandSpreadEvenly) {
                   "strata jittered by one, and two dozen that meet no light at the rim");
 }
 
-}  // namespace
-}  // namespace coppermoon::shadow
+}  // namespace coppermoon::shadow::limb_landings_test

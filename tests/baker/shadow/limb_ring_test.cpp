@@ -8,8 +8,7 @@
 #include "shadow/by_quadrature.h"
 #include "support/testing.h"
 
-namespace coppermoon::shadow {
-namespace {
+namespace coppermoon::shadow::limb_ring_test {
 
 using algebra::degrees;
 using algebra::metres;
@@ -236,5 +235,4 @@ TEST(LimbRing, OfAirThatDoesNotBendLightHasNone) {
   EXPECT_EQ(lowest, highest);
 }
 
-}  // namespace
-}  // namespace coppermoon::shadow
+}  // namespace coppermoon::shadow::limb_ring_test

@@ -6,8 +6,7 @@
 #include "shadow/lookup_table.h"
 #include "support/testing.h"
 
-namespace coppermoon::shadow {
-namespace {
+namespace coppermoon::shadow::lookup_test {
 
 const Arrangement around_the_moon{1.479e11, {3.812e8, 3.821e8, 3.829e8}};
 
@@ -443,5 +442,4 @@ TEST(Lookup, HoldsTheSectorsAskedForAlone) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::shadow
+}  // namespace coppermoon::shadow::lookup_test

@@ -5,8 +5,7 @@
 #include "support/every_target.h"
 #include "support/testing.h"
 
-namespace coppermoon::shadow {
-namespace {
+namespace coppermoon::shadow::photon_spectra_test {
 
 using algebra::Grid;
 
@@ -89,5 +88,4 @@ TEST(PhotonRows, DrainAsSumsAndSquares) {
   });
 }
 
-}  // namespace
-}  // namespace coppermoon::shadow
+}  // namespace coppermoon::shadow::photon_spectra_test

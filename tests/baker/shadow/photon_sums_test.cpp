@@ -8,8 +8,7 @@
 #include "shadow/lookup.h"
 #include "support/testing.h"
 
-namespace coppermoon::shadow {
-namespace {
+namespace coppermoon::shadow::photon_sums_test {
 
 const Arrangement february_2008{1.479e11, {3.83e8}};
 const std::vector<double> waves{500, 580, 680};
@@ -286,5 +285,4 @@ TEST(Shards, AreAllTheBlocksAndNoneTwice) {
   EXPECT_THROW(shard({0, 10}, 4, 3), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::shadow
+}  // namespace coppermoon::shadow::photon_sums_test

@@ -7,8 +7,7 @@
 #include "shadow/photon_sums.h"
 #include "support/testing.h"
 
-namespace coppermoon::shadow {
-namespace {
+namespace coppermoon::shadow::ring_middles_test {
 
 const Arrangement february_2008{1.479e11, {3.83e8}};
 
@@ -54,5 +53,4 @@ TEST(RingMiddles, AreTheQuadraturesWithinThreeStandardErrors) {
   EXPECT_LT(many.rms, 3e-3) << "half of it noise";
 }
 
-}  // namespace
-}  // namespace coppermoon::shadow
+}  // namespace coppermoon::shadow::ring_middles_test

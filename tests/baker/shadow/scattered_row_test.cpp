@@ -5,8 +5,7 @@
 #include "shadow/padding.h"
 #include "support/testing.h"
 
-namespace coppermoon::shadow {
-namespace {
+namespace coppermoon::shadow::scattered_row_test {
 
 TEST(ScatteredRow, IsEachAbsorbersLightDimmedByAll) {
   constexpr std::size_t waves = 13, groups = padded(waves, waves_together);
@@ -45,5 +44,4 @@ TEST(ScatteredRow, BehindAWallIsDark) {
   for (const double value : ratio) EXPECT_WITHIN(value, 0, 1e-300, "darkest");
 }
 
-}  // namespace
-}  // namespace coppermoon::shadow
+}  // namespace coppermoon::shadow::scattered_row_test

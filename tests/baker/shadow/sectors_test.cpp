@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::shadow {
-namespace {
+namespace coppermoon::shadow::sectors_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -79,5 +78,4 @@ TEST(BetweenAngles, TakesInBothEnds) {
   EXPECT_EQ(between_angles(24, -200 * degree, 300 * degree).count, 24U);
 }
 
-}  // namespace
-}  // namespace coppermoon::shadow
+}  // namespace coppermoon::shadow::sectors_test

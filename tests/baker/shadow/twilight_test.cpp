@@ -10,8 +10,7 @@
 #include "shadow/by_quadrature.h"
 #include "support/testing.h"
 
-namespace coppermoon::shadow {
-namespace {
+namespace coppermoon::shadow::twilight_test {
 
 using atmosphere::Atmosphere;
 using std::numbers::pi;
@@ -290,5 +289,4 @@ TEST(Starlight, IsThatOfTenthMagnitudeStars) {
   EXPECT_EQ(light.ratio[0](0, 0), starlight_ratio);
 }
 
-}  // namespace
-}  // namespace coppermoon::shadow
+}  // namespace coppermoon::shadow::twilight_test

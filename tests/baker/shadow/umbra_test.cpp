@@ -7,8 +7,7 @@
 #include "shadow/by_quadrature.h"
 #include "support/testing.h"
 
-namespace coppermoon::shadow {
-namespace {
+namespace coppermoon::shadow::umbra_test {
 
 using algebra::degrees;
 using std::numbers::pi;
@@ -228,5 +227,4 @@ TEST(Regions, ThatCoverEverythingAreNoRegion) {
                              "rounding: quarters are mirrored where there is no region");
 }
 
-}  // namespace
-}  // namespace coppermoon::shadow
+}  // namespace coppermoon::shadow::umbra_test

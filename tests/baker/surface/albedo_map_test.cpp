@@ -4,7 +4,7 @@
 #include "support/testing.h"
 #include "surface/photometry.h"
 
-namespace {
+namespace albedo_map_test {
 
 using namespace coppermoon;
 using algebra::degrees;
@@ -163,4 +163,4 @@ TEST(WithPolarContrast, GivesBackWhatFadesTowardsThePoles) {
   EXPECT_EQ(surface::with_polar_contrast(Map(4, 8, 0))(0, 0), 0) << "black stays black";
 }
 
-}  // namespace
+}  // namespace albedo_map_test

@@ -5,7 +5,7 @@
 #include "support/testing.h"
 #include "surface/albedo_map.h"
 
-namespace {
+namespace built_in_map_test {
 
 using namespace coppermoon;
 using algebra::degrees;
@@ -120,4 +120,4 @@ TEST(BuiltInMap, IsTheSameWheneverItIsAskedFor) {
       std::ranges::equal(surface::built_in_map().values(), surface::built_in_map().values()));
 }
 
-}  // namespace
+}  // namespace built_in_map_test

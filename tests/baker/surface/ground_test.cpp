@@ -5,7 +5,7 @@
 #include "support/testing.h"
 #include "surface/albedo_map.h"
 
-namespace {
+namespace ground_test {
 
 using namespace coppermoon;
 using algebra::degrees;
@@ -131,4 +131,4 @@ TEST(Ground, NeedsLight) {
   EXPECT_THROW(surface::ground_under(Map(8, 16, 0), lommel_seeliger_rolo), algebra::Error);
 }
 
-}  // namespace
+}  // namespace ground_test

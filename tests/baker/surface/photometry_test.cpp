@@ -5,7 +5,7 @@
 #include "algebra/table.h"
 #include "support/testing.h"
 
-namespace {
+namespace photometry_test {
 
 using namespace coppermoon::surface;
 using coppermoon::algebra::degrees;
@@ -150,4 +150,4 @@ TEST(RadianceFactor, AtFullMoonIsThatOfItsPhase) {
                     radiance_factor(photometry, mu, mu, full_moon_phase), 1e-15, "rounding");
 }
 
-}  // namespace
+}  // namespace photometry_test

@@ -4,7 +4,7 @@
 #include "algebra/table.h"
 #include "support/testing.h"
 
-namespace {
+namespace reflectance_test {
 
 using coppermoon::algebra::nanometres;
 using coppermoon::surface::lunar_reflectance_yapo_cutler;
@@ -54,4 +54,4 @@ TEST(LunarReflectance, HasARange) {
   EXPECT_THROW(lunar_reflectance_yapo_cutler(nanometres(NAN)), coppermoon::algebra::Error);
 }
 
-}  // namespace
+}  // namespace reflectance_test

@@ -12,8 +12,7 @@
 #include "surface/ground.h"
 #include "surface/photometry.h"
 
-namespace coppermoon::texture {
-namespace {
+namespace coppermoon::texture::bake_test {
 
 using enum surface::Photometry;
 
@@ -378,5 +377,4 @@ TEST(Bake, GivesGroundItsOwnSurge) {
                          "the phase of a place differs from the middle's by 0.3 degrees");
 }
 
-}  // namespace
-}  // namespace coppermoon::texture
+}  // namespace coppermoon::texture::bake_test

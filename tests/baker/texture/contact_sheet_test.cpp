@@ -5,7 +5,7 @@
 #include "support/testing.h"
 #include "texture/write_image.h"
 
-namespace {
+namespace contact_sheet_test {
 
 using namespace coppermoon::texture;
 
@@ -130,4 +130,4 @@ TEST(Captions, ShrinkUntilBothFit) {
   EXPECT_GT(lowest, 10);
 }
 
-}  // namespace
+}  // namespace contact_sheet_test

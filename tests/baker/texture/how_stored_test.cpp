@@ -11,7 +11,7 @@
 #include "support/testing.h"
 #include "texture/read_image.h"
 
-namespace {
+namespace how_stored_test {
 
 using namespace coppermoon::texture;
 
@@ -400,4 +400,4 @@ TEST_F(HowStored, EndingsDoNotSayWhatAFileIs) {
   EXPECT_EQ(reds(read_light(hdr)).size(), 2);
 }
 
-}  // namespace
+}  // namespace how_stored_test

@@ -10,7 +10,7 @@
 #include "texture/write_dng.h"
 #include "texture/write_image.h"
 
-namespace {
+namespace raw_test {
 
 using namespace coppermoon::texture;
 using Colour = glm::dvec3;  // linear Rec. 709
@@ -255,4 +255,4 @@ TEST_F(Raw, OfNoUseIsNotWritten) {
   EXPECT_ERROR(write_dng(in_folder("no/a.dng"), photograph_of(40, 30, evenly(copper))), "a.dng");
 }
 
-}  // namespace
+}  // namespace raw_test

@@ -9,7 +9,7 @@
 #include "support/testing.h"
 #include "texture/write_image.h"
 
-namespace {
+namespace read_image_test {
 
 using namespace coppermoon::texture;
 
@@ -350,4 +350,4 @@ TEST_F(ReadAlbedoMap, MustNotBeOfOneTexelsLight) {
                "beyond it give 99 % of its light, allowed 1 %");
 }
 
-}  // namespace
+}  // namespace read_image_test

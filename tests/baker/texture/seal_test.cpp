@@ -6,8 +6,7 @@
 #include "texture/openimageio/encode.h"
 #include "texture/write_image.h"
 
-namespace coppermoon::texture {
-namespace {
+namespace coppermoon::texture::seal_test {
 
 class Seal : public ScratchFolder {
  protected:
@@ -63,5 +62,4 @@ TEST_F(Seal, IsOnNothingElse) {
   EXPECT_FALSE(is_sealed(in_folder("a.png")));
 }
 
-}  // namespace
-}  // namespace coppermoon::texture
+}  // namespace coppermoon::texture::seal_test

@@ -6,7 +6,7 @@
 #include "baker/texture/scratch_folder.h"
 #include "support/testing.h"
 
-namespace {
+namespace sphere_mesh_test {
 
 using namespace coppermoon::texture;
 using std::numbers::pi;
@@ -113,4 +113,4 @@ TEST(SphereMesh, RefusesFewerRowsThanTwo) {
   EXPECT_EQ(sphere_mesh(2).triangles.size(), 8U);
 }
 
-}  // namespace
+}  // namespace sphere_mesh_test

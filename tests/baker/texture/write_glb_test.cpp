@@ -10,7 +10,7 @@
 #include "support/testing.h"
 #include "texture/read_image.h"
 
-namespace {
+namespace write_glb_test {
 
 using namespace coppermoon::texture;
 using nlohmann::json;
@@ -200,4 +200,4 @@ TEST_F(WriteGlb, AFullDiskLeavesTheOldFile) {
   EXPECT_EQ(files_in_folder(), 1U);
 }
 
-}  // namespace
+}  // namespace write_glb_test

@@ -11,7 +11,7 @@
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 
-namespace {
+namespace write_image_test {
 
 using namespace coppermoon::texture;
 
@@ -442,4 +442,4 @@ TEST_F(WriteImage, GradientsOf8BitsAreDitheredAndWholeStepsAreNot) {
     ASSERT_EQ(std::lround(255 * whole.values[i]), static_cast<long>(i / 3));
 }
 
-}  // namespace
+}  // namespace write_image_test

@@ -6,7 +6,7 @@
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 
-namespace {
+namespace write_stellarium_test {
 
 using namespace coppermoon::texture;
 using coppermoon::algebra::degrees;
@@ -85,4 +85,4 @@ TEST_F(WriteStellarium, LeavesNoFolderThatItCannotFill) {
   EXPECT_EQ(bytes_of(in_folder("taken")), "by a file");
 }
 
-}  // namespace
+}  // namespace write_stellarium_test

@@ -4,7 +4,7 @@
 #include "baker/texture/scratch_folder.h"
 #include "support/testing.h"
 
-namespace {
+namespace write_usda_test {
 
 using namespace coppermoon::texture;
 
@@ -61,4 +61,4 @@ TEST_F(WriteUsda, TakesAPlainFileNameOnly) {
   EXPECT_TRUE(holds(bytes_of(in_folder("moon.usda")), "@@@./a\\@@@b@.exr@@@"));
 }
 
-}  // namespace
+}  // namespace write_usda_test

@@ -8,7 +8,7 @@
 #include "support/testing.h"
 #include "texture/read_image.h"
 
-namespace {
+namespace write_usdz_test {
 
 using namespace coppermoon::texture;
 
@@ -109,4 +109,4 @@ TEST_F(WriteUsdz, RefusesWhatViewersCannotShow) {
   EXPECT_EQ(files_in_folder(), 0U);
 }
 
-}  // namespace
+}  // namespace write_usdz_test

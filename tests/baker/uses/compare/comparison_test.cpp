@@ -8,8 +8,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::comparison_test {
 
 /// Pixels of 1 cd/m² at two distances; of those farther out some are black in the photograph.
 std::vector<SharedPixel> pixels(std::size_t black) {
@@ -83,5 +82,4 @@ TEST(FittedWriting, FindsTheGainsOfRedAndBlue) {
 
 TEST(FittedWriting, RefusesTooFewSteps) { EXPECT_ERROR(fitted_writing({}, {}), "steps of light"); }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::comparison_test

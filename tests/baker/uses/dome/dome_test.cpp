@@ -11,8 +11,7 @@
 #include "uses/picture/brightness.h"
 #include "uses/picture/clear_sky.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::dome_test {
 
 using std::numbers::pi;
 constexpr double degree = pi / 180;
@@ -261,5 +260,4 @@ TEST(Dome, IsInTheSpaceAskedForAndRefusesWhatIsUnsound) {
   EXPECT_THROW(dome_over({.width = 64}, moon, {}), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::dome_test

@@ -9,8 +9,7 @@
 #include "support/testing.h"
 #include "uses/light/air.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::limb_rays_test {
 
 const std::vector<double> waves{450, 550, 650};
 
@@ -115,5 +114,4 @@ TEST(ScatteredLight, IsTheTwilightsMeanAroundTheAxis) {
                          "as above");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::limb_rays_test

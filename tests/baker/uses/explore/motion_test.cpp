@@ -8,8 +8,7 @@
 #include "eclipse/shadow_axis.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::motion_test {
 
 /// Σ c_k T_k(x), by the definition of T_k.
 double sum_of(const nlohmann::ordered_json& coefficients, double x) {
@@ -49,5 +48,4 @@ TEST(Motion, IsTheAlmanacsAtAnyMoment) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::motion_test

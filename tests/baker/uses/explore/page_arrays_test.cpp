@@ -4,8 +4,7 @@
 #include "baker/uses/explore/page_data.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::page_arrays_test {
 
 TEST(PageArrays, ComeBackAsTheyWere) {
   PageArrays arrays;
@@ -38,5 +37,4 @@ TEST(PageArrays, OfAnotherShapeOrNoNumbersAreRefused) {
       << "infinite in single precision";
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::page_arrays_test

@@ -2,8 +2,7 @@
 #include "support/testing.h"
 #include "uses/explore/exploration.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::page_test {
 
 TEST(CalendarPage, RoundsTimesToTheMinute) {
   eclipse::Eclipse eclipse{};
@@ -15,5 +14,4 @@ TEST(CalendarPage, RoundsTimesToTheMinute) {
   EXPECT_SAYS(page_of("2018-12-31T23:59:45Z"), ">2019-01-01</a></td><td>00:00</td>");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::page_test

@@ -6,8 +6,7 @@
 #include "texture/write_image.h"
 #include "uses/film/film_folder.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::film_folder_test {
 
 namespace fs = std::filesystem;
 
@@ -110,5 +109,4 @@ TEST_F(FolderOfAFilm, WithoutARecordHoldsNothingOfIt) {
   EXPECT_THROW(require_own(film_, false), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::film_folder_test

@@ -6,8 +6,7 @@
 #include "support/testing.h"
 #include "uses/light/spectral_bands.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::film_light_test {
 
 namespace fs = std::filesystem;
 using almanac::instant_from_utc;
@@ -135,5 +134,4 @@ TEST_F(WholeFilm, OfNoNumberOfPhotonsIsTracedInNoShards) {
   EXPECT_THROW(trace_shard(film(fine("standard")), {1, 2}), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::film_light_test

@@ -4,8 +4,7 @@
 #include "support/testing.h"
 #include "uses/film/film_scene.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::film_scene_test {
 
 namespace fs = std::filesystem;
 
@@ -56,5 +55,4 @@ TEST_F(FilmScene, IsRefusedWhereItCannotBeRendered) {
             film.scene.string() + ": shows frames and pictures, allowed without textures");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::film_scene_test

@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::film_sheet_test {
 
 /// A moment of the eclipse of 2018 July 27: seconds from a contact on.
 struct FromContact {
@@ -126,5 +125,4 @@ TEST(FramesOfSheet, OfASingleMomentIsNamedAfterIt) {
   EXPECT_EQ(sheet[0].moment, "U3");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::film_sheet_test

@@ -2,8 +2,7 @@
 #include "uses/film/film_times.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::film_times_test {
 
 using almanac::instant_from_utc;
 using almanac::seconds_between;
@@ -120,5 +119,4 @@ TEST(FilmTimes, ThatCannotBeAreSaid) {
             "first frame = 2e+06, allowed 0 to 1e+06");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::film_times_test

@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::fixed_view_test {
 
 /// Film of the eclipse of 2018 July 27 on a tripod in Nairobi, which points at the Moon half way.
 Film on_a_tripod(const char* from, const char* to, double field_deg) {
@@ -73,5 +72,4 @@ TEST(FixedView, KeepsTheFieldWhereAnotherAimIsEnough) {
   EXPECT_EQ(fixed_view(seen(film, view)).outside, 0U);
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::fixed_view_test

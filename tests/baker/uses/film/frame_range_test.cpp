@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::frame_range_test {
 
 using Frames = std::vector<std::size_t>;
 
@@ -48,5 +47,4 @@ TEST(Shards, OfOtherWritingAreRefused) {
     EXPECT_THROW(shard_from(text), algebra::Error) << text;
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::frame_range_test

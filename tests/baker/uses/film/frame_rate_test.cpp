@@ -3,8 +3,7 @@
 #include "support/testing.h"
 #include "uses/film/film_times.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::frame_rate_test {
 
 std::string refusal(const char* text) {
   return refusal_of([&] { frame_rate_from(text); });
@@ -46,5 +45,4 @@ TEST(FrameRates, ThatCannotBeAreSaid) {
                                  "below");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::frame_rate_test

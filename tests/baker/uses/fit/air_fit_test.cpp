@@ -11,8 +11,7 @@
 #include "support/testing.h"
 #include "uses/light/spectral_bands.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::air_fit_test {
 
 constexpr std::size_t bins = 4;
 
@@ -178,5 +177,4 @@ TEST(AirFit, OfDataIsTheirProductWithThePrior) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::air_fit_test

@@ -7,8 +7,7 @@
 
 #include "support/within.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::binned_photograph_test {
 
 constexpr double step = 1 / 12.92 / 255;  // of 8 bits near black
 
@@ -67,5 +66,4 @@ TEST(BinnedPhotograph, TakesNoGlowOffWhereTheSkyIsBlack) {
     EXPECT_WITHIN_RELATIVE(found.values(0, k), 30 * step, 1e-6, "floats");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::binned_photograph_test

@@ -4,8 +4,7 @@
 #include "support/testing.h"
 #include "texture/image.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::clock_scan_test {
 
 /// Photographs of one eclipse without noise, as clocks that are wrong date them.
 class ClockScan : public testing::Test {
@@ -65,5 +64,4 @@ TEST_F(ClockScan, BelievesTheClockInTotality) {
   EXPECT_WITHIN(clock.seconds, 0, 180, "three standard errors");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::clock_scan_test

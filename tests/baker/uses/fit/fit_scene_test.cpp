@@ -6,8 +6,7 @@
 #include "support/testing.h"
 #include "uses/fit/lit_bins.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::fit_scene_test {
 
 /// Luminance under the usual air, summed over places.
 struct Sum {
@@ -125,5 +124,4 @@ TEST(FitScene, KnowsHowLightChangesWithItsPlaceInTheShadow) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::fit_scene_test

@@ -11,8 +11,7 @@
 #include "uses/fit/lit_bins.h"
 #include "uses/light/spectral_bands.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::fitted_light_test {
 
 /// Weights of what the ground's colour adds, for c = 1.
 algebra::Grid<double> coloured(algebra::Grid<double> weights) {
@@ -183,5 +182,4 @@ TEST(FittedLight, OfAFewPlacesIsThatOfAllGroundInABin) {
         << "bin " << b;
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::fitted_light_test

@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::light_in_bins_test {
 
 constexpr double sun_m = 1.5e11, depth_m = 3.8e8;
 
@@ -62,5 +61,4 @@ TEST(RefractedAt, OfOneSectorIsAlikeAllAround) {
   EXPECT_WITHIN_RELATIVE(ratios[0], 3., 1e-14, "rounding");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::light_in_bins_test

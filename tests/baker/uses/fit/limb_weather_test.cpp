@@ -5,8 +5,7 @@
 #include "shadow/by_quadrature.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::limb_weather_test {
 
 constexpr double sun_m = 1.5e11, depth_m = 3.8e8;
 
@@ -72,5 +71,4 @@ TEST(LimbWeather, ChangesFromHourToHourAndIsAsLargeAtEach) {
   EXPECT_EQ(weather_changes(std::array{0., 600.}).columns(), 1) << "within a quarter of an hour";
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::limb_weather_test

@@ -4,7 +4,7 @@
 #include "baker/texture/scratch_folder.h"
 #include "support/testing.h"
 
-namespace {
+namespace magnitudes_test {
 
 using namespace coppermoon;
 
@@ -70,4 +70,4 @@ TEST_F(MagnitudeLists, OfLinesThatAreShorterOrLongerThanTheFirstAreRefused) {
   EXPECT_ERROR(read(names + eclipsed + "-1,0.2,cloudy\n"), "a.csv:2: 5 columns, allowed 4");
 }
 
-}  // namespace
+}  // namespace magnitudes_test

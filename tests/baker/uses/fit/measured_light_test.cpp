@@ -4,8 +4,7 @@
 #include "support/csv_rows.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::measured_light_test {
 
 TEST(MeasuredLight, OfEachNightIsARowOfTheTable) {
   const std::vector<std::vector<MeasuredLight>> nights{
@@ -25,5 +24,4 @@ TEST(MeasuredLight, OfEachNightIsARowOfTheTable) {
   EXPECT_WITHIN_RELATIVE(std::stod(rows[1].at("error")), 0.2, 1e-2, "three digits");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::measured_light_test

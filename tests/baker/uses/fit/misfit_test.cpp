@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::misfit_test {
 
 /// Four photographs of the umbra in three channels, which an air explains.
 FitReport explained() {
@@ -94,5 +93,4 @@ TEST(Misfit, NamesMirroredPhotographsAmongOthers) {
   EXPECT_TRUE(suspicion_of(report).value().mirrored.empty());
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::misfit_test

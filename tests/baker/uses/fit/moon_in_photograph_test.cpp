@@ -6,8 +6,7 @@
 #include "colour/picture_part.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::moon_in_photograph_test {
 
 constexpr double pixel_km = 2 * 1737.4 / (fit_disc_share * fit_side_px);
 
@@ -66,5 +65,4 @@ TEST(Photograph, IsRegisteredInItsGlow) {
                          "a pixel and a half by which the glow widens the clipped limb");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::moon_in_photograph_test

@@ -10,8 +10,7 @@
 #include "uses/fit/limb_weather.h"
 #include "uses/picture/camera_colours.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::nuisance_table_test {
 
 /// Two bins of linear light that falls by e from 1000 to 2000 km.
 Binned photograph() {
@@ -198,5 +197,4 @@ TEST(NuisanceTable, MultipliesDerivativesByPriors) {
   EXPECT_WITHIN_RELATIVE(design.matrix(0, place), -5. / 1000, 1e-12, "e in 1000 km");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::nuisance_table_test

@@ -7,8 +7,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::nuisances_test {
 
 /// Three residuals, of which the first two share an error of 0.15; two nuisance parameters.
 const std::array noise_errors{0.1, 0.2, 0.05};
@@ -112,5 +111,4 @@ TEST(Nuisances, LeaveASharedErrorToAMean) {
                          std::hypot(0.1 / 2, 0.2 / 2, shared_error), 1e-12, "in doubles");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::nuisances_test

@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::posterior_test {
 
 std::vector<double> evenly(double from, double to, int steps) {
   std::vector<double> all;
@@ -79,5 +78,4 @@ TEST(Posterior, AtAnEndStaysWithinIt) {
   EXPECT_WITHIN(found.estimates[0].median, 0.06745, 0.0025, "a tenth of a step");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::posterior_test

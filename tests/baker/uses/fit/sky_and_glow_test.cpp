@@ -4,8 +4,7 @@
 #include "algebra/random.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::sky_and_glow_test {
 
 /// A glow that is brightest beside a crescent.
 AroundTheDisc of_a_crescent() {
@@ -56,5 +55,4 @@ TEST(SkyAndGlow, AreSoundWithoutAnyLight) {
   EXPECT_EQ(found.glow.error, 1);
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::sky_and_glow_test

@@ -4,8 +4,7 @@
 #include "support/testing.h"
 #include "uses/light/light_parameters.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::unknowns_test {
 
 TEST(Unknowns, AreFactorsWhereTheAirHasAMonth) {
   EXPECT_EQ(usual_unknowns({}), Unknowns::factors);
@@ -43,5 +42,4 @@ TEST(Unknowns, OfAMonthAreNearTheMonths) {
     EXPECT_EQ(unknown.chi_squared_of_prior(unknown.on_axis(unknown.most)), 0) << "uniform";
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::unknowns_test

@@ -6,8 +6,7 @@
 #include "support/testing.h"
 #include "uses/light/danjon_air.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::air_test {
 
 using atmosphere::StratosphericAerosol;
 
@@ -137,5 +136,4 @@ TEST(ReachesDanjon, UnlessNoAirIsClearEnough) {
       << "by air alone it has no −3.8 mag";
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::air_test

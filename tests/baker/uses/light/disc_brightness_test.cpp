@@ -6,8 +6,7 @@
 #include "almanac/instant.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::disc_brightness_test {
 
 constexpr std::size_t rows = 180;
 
@@ -61,5 +60,4 @@ TEST(DanjonEstimate, StaysOnTheScale) {
   EXPECT_EQ(danjon_estimate(-12), 4);
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::disc_brightness_test

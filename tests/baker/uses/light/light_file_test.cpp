@@ -9,8 +9,7 @@
 #include "files/fingerprint.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::light_file_test {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -156,5 +155,4 @@ TEST_F(LightFile, IsARegularOne) {
   EXPECT_THROW(read_light(folder_ / "a pipe"), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::light_file_test

@@ -5,8 +5,7 @@
 #include "support/testing.h"
 #include "uses/light/light_parameters.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::light_parameters_test {
 
 Effort toleranced(const char* text) { return {.tolerance = text}; }
 Effort budgeted(const char* text) { return {.budget = text}; }
@@ -222,5 +221,4 @@ TEST(AirInWords, NamesWhatIsNotAsUsualAndNothingElse) {
             "standard air, 1 region");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::light_parameters_test

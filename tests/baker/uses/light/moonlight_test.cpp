@@ -10,8 +10,7 @@
 #include "support/testing.h"
 #include "uses/light/spectral_bands.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::moonlight_test {
 
 const double radius_m = algebra::in_metres(almanac::lunar_radius);
 
@@ -180,5 +179,4 @@ TEST(ShardFrom, RefusesWhatIsNone) {
     EXPECT_THROW(shard_from(shard), algebra::Error) << shard;
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::moonlight_test

@@ -4,8 +4,7 @@
 #include "support/testing.h"
 #include "uses/light/spectral_bands.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::photometric_bands_test {
 
 /// ∫ λ R dλ / ∫ R dλ
 double mean_wavelength_nm(std::size_t band) {
@@ -47,5 +46,4 @@ TEST(PhotometricBands, TheSunHasItsColours) {
                 "solar twins: 0.63 to 0.67");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::photometric_bands_test

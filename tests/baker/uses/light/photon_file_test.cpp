@@ -7,8 +7,7 @@
 #include "shadow/by_photons.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::photon_file_test {
 
 using nlohmann::json;
 
@@ -113,5 +112,4 @@ TEST_F(PhotonSumsFile, ThatHoldsWhatSumsCannotIsRefused) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::photon_file_test

@@ -9,8 +9,7 @@
 #include "uses/light/moonlight.h"
 #include "uses/light/spectral_bands.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::planning_test {
 
 const double radius_m = algebra::in_metres(almanac::lunar_radius);
 
@@ -369,5 +368,4 @@ TEST(LightOnTheMoon, KeepsScatteredLightOffWhenItIsLeftOut) {
   EXPECT_FALSE(planned_light(request, sky).work.scattered_light) << "off, whatever is left out";
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::planning_test

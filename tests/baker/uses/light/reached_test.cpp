@@ -4,8 +4,7 @@
 #include "end_to_end/planned_run.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::reached_test {
 
 using namespace end_to_end;
 
@@ -71,5 +70,4 @@ TEST(ReachedThoroughly, BoundsTheErrorOfAnyKnobsInAnyAir) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::reached_test

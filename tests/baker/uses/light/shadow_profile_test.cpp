@@ -4,8 +4,7 @@
 #include "almanac/instant.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::shadow_profile_test {
 
 ShadowProfile profile_at(const LightRequest& request, double position_angle_deg) {
   const auto sky = almanac::sky_at(almanac::instant_from_utc("2018-07-27T20:21:45Z"));
@@ -81,5 +80,4 @@ TEST(ShadowProfile, OfFewPhotonsIsNeverDarkerThanBlack) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::shadow_profile_test

@@ -4,8 +4,7 @@
 #include "colour/cie_observer.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::spectral_bands_test {
 
 TEST(SpectralBands, AreFourHundredFrom380To780) {
   const auto edges = band_edges_nm(), centres = band_centres_nm();
@@ -106,5 +105,4 @@ TEST(ReddestAndBluest, MixedAreTheIntegralOverTheGroundsOwnSpectrum) {
   }
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::spectral_bands_test

@@ -8,8 +8,7 @@
 #include "uses/night/calendar_file.h"
 #include "uses/picture/local_time.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::circumstances_test {
 
 eclipse::Eclipse eclipse_of(const char* day) {
   return *eclipse::eclipse_of_day(almanac::instant_from_utc(day),
@@ -320,5 +319,4 @@ TEST(CalendarFile, HasNoYearsBeforeTheFirst) {
   EXPECT_NO_THROW(require_in_calendars(contact("0001-01-01T00:01:00Z")));
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::circumstances_test

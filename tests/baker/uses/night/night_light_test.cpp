@@ -6,8 +6,7 @@
 #include "almanac/gazetteer.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::night_light_test {
 
 std::mutex telling;
 std::vector<double> fractions_told;  ///< while the lights were computed
@@ -190,5 +189,4 @@ TEST(CameraTime, IsTheNearestThatACameraHas) {
   EXPECT_EQ(camera_time_s(1e-9), 1 / 8000.);
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::night_light_test

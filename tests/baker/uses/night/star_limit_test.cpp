@@ -4,8 +4,7 @@
 #include "atmosphere/sky_luminance.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::star_limit_test {
 
 TEST(StarLimit, OfADarkSkyIsTheSixthMagnitude) {
   EXPECT_WITHIN(faintest_star(atmosphere::luminance_of_magnitude_cd_m2(21.6)), 6.5, 0.15,
@@ -14,5 +13,4 @@ TEST(StarLimit, OfADarkSkyIsTheSixthMagnitude) {
                 "mag: of a bright suburb, Bortle (2001) has 4.6 to 4.9 at 18.5, some 4 at 18");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::star_limit_test

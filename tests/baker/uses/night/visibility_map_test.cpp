@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::visibility_map_test {
 
 TEST(VisibilityMap, TheMoonIsInTheHorizonAllAlongTheCircle) {
   const auto when = almanac::instant_from_utc("2018-07-27T20:21:45Z");
@@ -31,5 +30,4 @@ TEST(VisibilityMap, IsDrawnByGnuplotWithTimesToTheMinute) {
   std::filesystem::remove(file);
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::visibility_map_test

@@ -5,8 +5,7 @@
 #include "support/maker_notes.h"
 #include "texture/write_image.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::as_shot_balance_test {
 
 using Gains = std::array<double, 3>;
 
@@ -52,5 +51,4 @@ TEST_F(AsShotBalance, IsNothingForAFileThatIsNoPhotograph) {
   EXPECT_EQ(as_shot_balance(in_folder("absent.jpg").string()), std::nullopt);
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::as_shot_balance_test

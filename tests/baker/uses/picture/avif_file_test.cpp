@@ -4,8 +4,7 @@
 #include "support/helper_folder.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::avif_file_test {
 
 using AvifFile = HelperFolder;
 
@@ -25,5 +24,4 @@ TEST_F(AvifFile, ThatItsProgramCutsOffIsSaid) {
   EXPECT_FALSE(std::filesystem::exists(here() / "a.avif"));
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::avif_file_test

@@ -7,8 +7,7 @@
 #include "support/testing.h"
 #include "uses/light/photometer.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::brightness_test {
 
 const char* const first = "2004-10-28T00:00:00Z";
 constexpr double step_min = 20;
@@ -116,5 +115,4 @@ TEST(MomentsBetween, AreEvenAndEndAtOrBeforeTheLast) {
   EXPECT_THROW(moments_between(from, from, 0), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::brightness_test

@@ -7,8 +7,7 @@
 #include "colour/working_space.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::camera_colours_test {
 
 const std::string response = "canon-eos-600d";
 const std::array<double, 3> deep_red = xyz_of_rec709(std::array{1., 0.1, 0.02}),
@@ -98,5 +97,4 @@ TEST(CameraColours, AddAShareOfTheBrightestChannelToAll) {
   EXPECT_WITHIN(rgb[2], 0.006 + 0.04, 1e-9, "added to the floor");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::camera_colours_test

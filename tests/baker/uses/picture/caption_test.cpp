@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::caption_test {
 
 using almanac::Observer;
 
@@ -37,5 +36,4 @@ TEST(PlaceInWords, IsACityNearbyElseDegrees) {
   EXPECT_EQ(place_in_words(at(-30, 80)), "30.00° S, 80.00° E");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::caption_test

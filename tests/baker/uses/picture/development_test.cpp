@@ -9,8 +9,7 @@
 #include "support/testing.h"
 #include "uses/picture/picture_parameters.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::development_test {
 
 constexpr auto space = colour::WorkingSpace::linear_rec709;
 
@@ -432,5 +431,4 @@ TEST(ExposureSeconds, AreNumbersAndFractions) {
     EXPECT_FALSE(exposure_seconds(none)) << none;
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::development_test

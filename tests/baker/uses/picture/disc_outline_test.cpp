@@ -4,8 +4,7 @@
 #include "povray_scenes/scene_camera.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::disc_outline_test {
 
 /// A camera 220 lunar radii away, off the Moon's middle, its Moon flattened.
 povray_scenes::SceneCamera camera(double field_deg, double flattening = 0.9) {
@@ -114,5 +113,4 @@ TEST(DiscOutline, ComesBackFromAHeaderToTheLastDigit) {
     EXPECT_FALSE(outline_in(none)) << none;
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::disc_outline_test

@@ -14,8 +14,7 @@
 #include "uses/picture/development.h"
 #include "uses/picture/still.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::frame_sky_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -187,5 +186,4 @@ TEST(FrameSky, ThroughACameraIsAsBrightAsWithout) {
             << r << " " << c << " " << k;
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::frame_sky_test

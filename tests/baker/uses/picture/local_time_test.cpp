@@ -6,8 +6,7 @@
 #include "support/testing.h"
 #include "uses/picture/caption.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::local_time_test {
 
 almanac::Observer at(double latitude_deg, double longitude_deg) {
   return {algebra::degrees(latitude_deg), algebra::degrees(longitude_deg), {}};
@@ -43,5 +42,4 @@ TEST(ZoneOrUtc, IsUtcWhereTheSystemLacksTheZone) {
   EXPECT_TRUE(caption.left.starts_with("2018-07-27 20:21:45 UTC, ")) << caption.left;
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::local_time_test

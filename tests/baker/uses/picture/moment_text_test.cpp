@@ -4,8 +4,7 @@
 #include "support/testing.h"
 #include "uses/picture/view.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::moment_text_test {
 
 MomentContext at(const char* city, const std::string& zone = "") {
   return {almanac::city_named(city)->place, zone};
@@ -105,5 +104,4 @@ TEST(MomentText, OfNothingIsRefusedWithWhatIsAllowed) {
   EXPECT_NE(refusal(""), "");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::moment_text_test

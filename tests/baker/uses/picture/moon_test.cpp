@@ -12,8 +12,7 @@
 #include "uses/light/spectral_bands.h"
 #include "uses/picture/baked_moon.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::moon_test {
 
 /// A map of two rows, all texels 1 but one, and the ratio of that one's albedo to another's.
 class AlbedoEncodings : public testing::Test {
@@ -180,5 +179,4 @@ TEST(GroundByPlace, LeavesTheDiscAsBrightAndAsRed) {
     EXPECT_WITHIN(own[band], mean[band], 1e-3, "libration: the disc's mean is of longitude 0");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::moon_test

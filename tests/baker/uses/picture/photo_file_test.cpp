@@ -9,8 +9,7 @@
 #include "support/testing.h"
 #include "texture/write_image.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::photo_file_test {
 
 const std::string date = "2019:01:21 05:12:16", local = "2019-01-21T05:12:16";
 
@@ -288,5 +287,4 @@ TEST_F(Settings, OfOurOwnFilesStayAsTheyWereAskedFor) {
                            1e-5, "headers are read as six digits");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::photo_file_test

@@ -2,8 +2,7 @@
 #include "uses/picture/place_text.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::place_text_test {
 
 constexpr const char* reason = "rounding between degrees and radians";
 
@@ -82,5 +81,4 @@ TEST(ObserverFrom, RefusesWhatIsNoPlace) {
     EXPECT_THROW(observer_from(text), algebra::Error) << text;
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::place_text_test

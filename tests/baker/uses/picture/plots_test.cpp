@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::plots_test {
 
 struct Rgb {
   long red, green, blue;
@@ -33,5 +32,4 @@ TEST(ShadowPlot, MarksTheShadowsEdgesWhereAlmanacsHaveThem) {
   EXPECT_FALSE(marks.moon_m);
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::plots_test

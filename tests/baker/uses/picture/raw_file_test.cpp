@@ -8,8 +8,7 @@
 #include "texture/read_image.h"
 #include "uses/picture/photo_file.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::raw_file_test {
 
 constexpr auto space = colour::WorkingSpace::linear_rec709;
 
@@ -87,5 +86,4 @@ TEST_F(RawFile, EndsInOneOfTwoWays) {
   EXPECT_ERROR(require_raw_file("a.dng", camera), "response = luminance");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::raw_file_test

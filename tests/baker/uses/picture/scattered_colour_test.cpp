@@ -6,8 +6,7 @@
 #include "support/testing.h"
 #include "uses/light/spectral_bands.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::scattered_colour_test {
 
 using algebra::degrees;
 
@@ -60,5 +59,4 @@ TEST(ScatteredColour, OfAFullMoonHasTheColourOfParanalsMoonlitSky) {
                          "the aerosol's share: the law has that of Mauna Kea");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::scattered_colour_test

@@ -9,8 +9,7 @@
 #include "povray_scenes/scene_camera.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::sky_lights_test {
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -253,5 +252,4 @@ TEST(LightsOver, StandWhereErfaHasThem) {
   EXPECT_LT(vega - lights.begin(), 5) << "among the brightest";
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::sky_lights_test

@@ -5,8 +5,7 @@
 #include "atmosphere/astronomical_refraction.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::view_test {
 
 constexpr const char* reason = "rounding between degrees and radians";
 
@@ -170,5 +169,4 @@ TEST(PlaceText, IsWhatWasToldInSevenDigits) {
   EXPECT_EQ(place_text(at(-30, 150, 120)), "-30,150,120");
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::view_test

@@ -8,8 +8,7 @@
 #include "support/left_behind.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::plot_test {
 
 namespace fs = std::filesystem;
 
@@ -109,5 +108,4 @@ TEST_F(Plots, ThatHangAreNotLeftBehind) {
             SIGKILL);
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::plot_test

@@ -5,8 +5,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::formula_test {
 
 using Numbers = std::array<double, 3>;
 
@@ -165,5 +164,4 @@ TEST(ShadowFormula, HasOperandsBeforeWhatIsComputedFromThem) {
     for (const auto operand : formula[i].operands) EXPECT_LT(operand, i);
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::formula_test

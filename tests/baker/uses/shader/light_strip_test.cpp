@@ -7,8 +7,7 @@
 #include "uses/light/shadow_profile.h"
 #include "uses/light/spectral_bands.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::light_strip_test {
 
 using Colour = std::array<double, 3>;
 
@@ -138,5 +137,4 @@ TEST(LightStrip, SaysItsErrorAlsoWhereItIsLarge) {
   EXPECT_LE(errors.beyond, errors.places / 20) << "as stated";
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::light_strip_test

@@ -8,8 +8,7 @@
 #include "eclipse/shadow_axis.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::shadow_motion_test {
 
 eclipse::Eclipse eclipse_of(const char* day) {
   return eclipse::nearest_eclipse(almanac::instant_from_utc(day),
@@ -67,5 +66,4 @@ TEST(ShadowMotion, LastsFromTenMinutesBeforeTheFirstContactToTenAfterTheLast) {
   EXPECT_EQ(shadow_motion(eclipse).half_s, 600 + std::max(before_s, after_s));
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::shadow_motion_test

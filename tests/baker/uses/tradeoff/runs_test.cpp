@@ -7,8 +7,7 @@
 #include "almanac/instant.h"
 #include "support/testing.h"
 
-namespace coppermoon::uses {
-namespace {
+namespace coppermoon::uses::runs_test {
 
 Yardstick coarse_yardstick() {
   MoonRequest moon;
@@ -90,5 +89,4 @@ TEST(MeasuredTrials, TakeTheirSecondsFromTheClock) {
   EXPECT_GE(seconds_of({}, nap), 0.02) << "a nap is never shorter";
 }
 
-}  // namespace
-}  // namespace coppermoon::uses
+}  // namespace coppermoon::uses::runs_test

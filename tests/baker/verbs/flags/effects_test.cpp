@@ -14,8 +14,7 @@
 #include "verbs/command_line.h"
 #include "verbs/flags/light_options.h"
 
-namespace coppermoon::verbs {
-namespace {
+namespace coppermoon::verbs::effects_test {
 
 using request::Parameter, request::Parameters, request::Texts;
 using Numbers = std::vector<double>;
@@ -449,5 +448,4 @@ TEST(Ranges, OfNumbersAmongWordsAreKeptWhenTheyAreTaken) {
       EXPECT_THROW(all.find(name)->take({text}), algebra::Error) << name << " = " << text;
 }
 
-}  // namespace
-}  // namespace coppermoon::verbs
+}  // namespace coppermoon::verbs::effects_test

@@ -5,8 +5,7 @@
 #include "support/testing.h"
 #include "verbs/command_line.h"
 
-namespace coppermoon::verbs {
-namespace {
+namespace coppermoon::verbs::film_options_test {
 
 using almanac::instant_from_utc;
 using almanac::seconds_between;
@@ -261,5 +260,4 @@ TEST(Products, AreReadWithCommasBetween) {
   EXPECT_THROW(products_of({.make = "frames", .hdr = true}), algebra::Error);
 }
 
-}  // namespace
-}  // namespace coppermoon::verbs
+}  // namespace coppermoon::verbs::film_options_test

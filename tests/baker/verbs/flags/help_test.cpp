@@ -8,8 +8,7 @@
 #include "verbs/flags/guide.h"
 #include "verbs/flags/known_words.h"
 
-namespace coppermoon::verbs {
-namespace {
+namespace coppermoon::verbs::help_test {
 
 /// Commands with their parameters.
 struct AllCommands : Program {
@@ -133,5 +132,4 @@ TEST(Help, IsAWordOfTheProgramToo) {
   EXPECT_THROW(text({"help", "stil"}), WrongUsage);
 }
 
-}  // namespace
-}  // namespace coppermoon::verbs
+}  // namespace coppermoon::verbs::help_test

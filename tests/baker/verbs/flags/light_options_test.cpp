@@ -5,8 +5,7 @@
 #include "support/testing.h"
 #include "verbs/command_line.h"
 
-namespace coppermoon::verbs {
-namespace {
+namespace coppermoon::verbs::light_options_test {
 
 uses::LightRequest request_after(const std::string& flags) {
   Verb verb;
@@ -65,5 +64,4 @@ TEST(LightRequest, HasAKeyThatKnowsTheAirAndNotTheNumberOfPhotons) {
   EXPECT_NE(request_after("--solver literal").photon_files.key, usual);
 }
 
-}  // namespace
-}  // namespace coppermoon::verbs
+}  // namespace coppermoon::verbs::light_options_test

@@ -4,8 +4,7 @@
 #include "support/testing.h"
 #include "verbs/command_line.h"
 
-namespace coppermoon::verbs {
-namespace {
+namespace coppermoon::verbs::moments_test {
 
 using Words = std::vector<std::string>;
 
@@ -137,5 +136,4 @@ TEST(Moments, InTwoArgumentsAreOne) {
   EXPECT_THROW(given({"2018-07-27T20:22Z", "20:22"}), WrongUsage) << "no day";
 }
 
-}  // namespace
-}  // namespace coppermoon::verbs
+}  // namespace coppermoon::verbs::moments_test

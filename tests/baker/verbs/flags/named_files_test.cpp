@@ -4,8 +4,7 @@
 #include "baker/texture/scratch_folder.h"
 #include "support/testing.h"
 
-namespace coppermoon::verbs {
-namespace {
+namespace coppermoon::verbs::named_files_test {
 
 using enum colour::WorkingSpace;
 
@@ -31,5 +30,4 @@ TEST(SpaceOfAFile, IsSaidWhereItsNameSeemsToSayAnother) {
     EXPECT_EQ(said(file), "");
 }
 
-}  // namespace
-}  // namespace coppermoon::verbs
+}  // namespace coppermoon::verbs::named_files_test

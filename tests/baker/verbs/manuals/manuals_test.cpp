@@ -10,8 +10,7 @@
 #include "verbs/manuals/completions.h"
 #include "verbs/manuals/manual_page.h"
 
-namespace coppermoon::verbs {
-namespace {
+namespace coppermoon::verbs::manuals_test {
 
 /// What a command prints on both its outputs, and its status where that is not 0.
 std::string printed_by(const std::string& command) {
@@ -102,5 +101,4 @@ TEST_F(Manuals, FishCompletesAsWell) {
   EXPECT_EQ(completed("coppermoon still --qual"), "--quality\n");
 }
 
-}  // namespace
-}  // namespace coppermoon::verbs
+}  // namespace coppermoon::verbs::manuals_test

@@ -8,8 +8,7 @@
 #include "verbs/command_line.h"
 #include "verbs/recipes/recipe_file.h"
 
-namespace coppermoon::verbs {
-namespace {
+namespace coppermoon::verbs::recipe_test {
 
 using Words = std::vector<std::string>;
 
@@ -295,5 +294,4 @@ TEST_F(Recipe, KeepsARegionThatStandsTwice) {
   EXPECT_EQ(air.air.regions.size(), 2U);
 }
 
-}  // namespace
-}  // namespace coppermoon::verbs
+}  // namespace coppermoon::verbs::recipe_test

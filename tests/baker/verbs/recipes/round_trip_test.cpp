@@ -13,8 +13,7 @@
 #include "verbs/command_line.h"
 #include "verbs/recipes/recipe_file.h"
 
-namespace coppermoon::verbs {
-namespace {
+namespace coppermoon::verbs::round_trip_test {
 
 using request::Kind, request::Parameter, request::Texts;
 
@@ -131,5 +130,4 @@ TEST(RecipeOfEveryParameter, ComesBackAsTheSameRequest) {
   EXPECT_EQ(without_value, std::set<std::string>{}) << "give them values in texts_by_name";
 }
 
-}  // namespace
-}  // namespace coppermoon::verbs
+}  // namespace coppermoon::verbs::round_trip_test

@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::verbs {
-namespace {
+namespace coppermoon::verbs::in_words_test {
 
 TEST(InWords, ErrorsAreInPercent) {
   EXPECT_EQ(within(0.0029), "within 0.29 %");
@@ -51,5 +50,4 @@ TEST(InWords, ACurveThatNoCameraHasIsDoubted) {
   EXPECT_SAYS(doubt_of(curve), "-19 standard deviations");
 }
 
-}  // namespace
-}  // namespace coppermoon::verbs
+}  // namespace coppermoon::verbs::in_words_test

@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::verbs {
-namespace {
+namespace coppermoon::verbs::one_line_test {
 
 TEST(OneLine, LeavesTextAlone) {
   for (const char* text :
@@ -36,5 +35,4 @@ TEST(Utf8, IsToldFromOtherBytes) {
     EXPECT_FALSE(is_utf8(text)) << text;
 }
 
-}  // namespace
-}  // namespace coppermoon::verbs
+}  // namespace coppermoon::verbs::one_line_test

@@ -3,8 +3,7 @@
 
 #include "support/testing.h"
 
-namespace coppermoon::verbs {
-namespace {
+namespace coppermoon::verbs::progress_bar_test {
 
 using namespace std::chrono_literals;
 
@@ -21,5 +20,4 @@ TEST(AtWork, IsSaidAfterAWhileAndThenAgain) {
   EXPECT_NE(said.rfind("bake"), said.find("bake")) << "again";
 }
 
-}  // namespace
-}  // namespace coppermoon::verbs
+}  // namespace coppermoon::verbs::progress_bar_test

@@ -2,8 +2,7 @@
 #include "verbs/reports/writers.h"
 #include "support/testing.h"
 
-namespace coppermoon::verbs {
-namespace {
+namespace coppermoon::verbs::writers_test {
 
 TEST(Writers, AreChosenByTheEndingOfAFile) {
   std::string written;
@@ -24,5 +23,4 @@ TEST(Writers, AreChosenByTheEndingOfAFile) {
   EXPECT_FALSE(has_ending(names, ".ics"));
 }
 
-}  // namespace
-}  // namespace coppermoon::verbs
+}  // namespace coppermoon::verbs::writers_test
