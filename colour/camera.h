@@ -57,8 +57,8 @@ struct Response {
 };
 
 /// Looks up a response by name: colorimetric (linear Rec.709 itself), luminance (a monochrome sensor), one from
-/// data/camera_responses.csv, or a spectral one (camera_spectra.h). The matrix of a spectral response is the inverse of
-/// the one that turns the camera's channels into colours, so that these colours are turned back into its channels.
+/// data/camera_responses.csv, or a spectral one (camera_spectra.h). For a spectral response, `from_xyz` is the inverse
+/// of the matrix that converts the camera's channels to XYZ, so that it recovers the channels from these XYZ values.
 ///
 /// Throws  Error  for any other name, listing the valid ones; also when camera_spectra throws
 Response response_named(const std::string& name);

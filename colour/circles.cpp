@@ -55,7 +55,7 @@ glm::dvec2 slope(const Picture& image, std::size_t r, std::size_t c) {
   return {0.5 * (image(r, c + 1) - image(r, c - 1)), 0.5 * (image(r + 1, c) - image(r - 1, c))};
 }
 
-/// Finds edge pixels: there the gradient has a maximum along its own direction, and is steep compared with all others.
+/// Finds edge pixels, whose gradient is among the picture's steeper ones and has a maximum along its own direction.
 std::vector<Edge> edges_of(const Picture& image) {
   constexpr double of_steepest = 0.1, of_median = 3.5;
   Picture steepness(image.rows(), image.columns());

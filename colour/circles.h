@@ -8,7 +8,7 @@
 
 namespace coppermoon::colour {
 
-/// Finds circles in a small picture along which there are many edges and light decreases outward. It looks for one
+/// In a small picture, finds circles with many edges along them and with light that decreases outward. It looks for one
 /// circle with each of four tone curves, from one that shows the dimmest limb to one that shows only the brightest.
 ///
 /// Given     image  a few hundred pixels on each side; values on any scale

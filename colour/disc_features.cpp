@@ -128,7 +128,8 @@ Values clipped_in(const Centred& picture) {
                  1);
 }
 
-/// Weights: 0 outside the picture, at a clipped limb (blur moves it outward) and, if `deeply`, at any clipped pixel.
+/// Weights of pixels: 0 outside the picture and at a clipped limb, which blur moves outward. If the clipped area ends
+/// at a shadow's edge (`deeply`), the weight is 0 at all clipped pixels.
 Values weights_of(const Centred& picture, bool deeply) {
   constexpr double inner = 0.92;  // as a share of the disc's radius
   const auto& disc = picture.disc;
@@ -140,7 +141,7 @@ Values weights_of(const Centred& picture, bool deeply) {
   });
 }
 
-/// Mean of the light around each pixel of the disc. If `deeply`, only pixels with a weight above 0 count.
+/// Mean light around each disc pixel. Pixels of weight 0 are skipped if clipping ends at a shadow's edge (`deeply`).
 Values light_nearby(const Centred& picture, const Values& weights, bool deeply) {
   constexpr double edge = 0.97, reach = 0.25;  // as shares of the disc's radius
   const auto& disc = picture.disc;

@@ -25,8 +25,8 @@ struct TonalRange {
 /// Saturated share of a disc: the share of its pixels that are within 1 % of the picture's largest value.
 double clipped_share(const algebra::Grid<float>& picture, const Disc& disc);
 
-/// Whether the disc's brightest hundredth is more than four times as bright as the level that the share `clipped` of
-/// its pixels exceeds. If so, the edge of the clipped area depends on exposure and air, not on the Moon's markings.
+/// Whether the 99th percentile of the disc's light is more than four times the clipping level, which is the quantile
+/// 1 - `clipped`. If so, the edge of the clipped area depends on exposure and air, not on the Moon's markings.
 ///
 /// Given  picture  picture that is not clipped itself
 ///        clipped  share of the disc's pixels that are saturated in another picture of it

@@ -48,7 +48,7 @@ Image developed(Image scene_linear, WorkingSpace space, const DisplayTransform& 
 /// Source  OpenColorIO's cache identifier of the processor, which includes the numbers in its tables
 std::string fingerprint(WorkingSpace space, const DisplayTransform& development);
 
-/// Configuration for a view on a display: $OCIO if `config` is empty and the built-in one lacks either, else `config`.
+/// Returns `config`, or $OCIO if `config` is empty and the built-in configuration lacks the view or the display.
 std::filesystem::path config_for(const std::string& view, const std::string& display,
                                  const std::filesystem::path& config);
 

@@ -99,7 +99,7 @@ std::span<const double> ground_and_sky(std::span<const double> light) {
   return light.subspan(static_cast<std::size_t>(begin - ground.begin()));
 }
 
-/// Locates the limb on a radius: a sharp drop of light there would give the same area under the profile.
+/// Locates the limb on a radius, where a sharp edge would have the same area under its light profile as the real edge.
 std::optional<LimbPlace> limb_place(const Picture& picture, const Disc& disc, double angle,
                                     double half_width_px) {
   constexpr double clearly = 4, of_clipped = 0.3;
@@ -194,9 +194,9 @@ Found measured(const Picture& picture, Disc disc, double last_share) {
   return {disc, evidence_of(places, disc)};
 }
 
-/// Unevenness of the sky beside a disc, relative to the drop in light from disc to sky: the sum of the sky's changes
-/// along radii and of the excess over its darkest fifth. It is above 0.5 if the edge continues beyond the circle
-/// (corner, horizon) or is a steady slope, and infinite if the disc has no visible contrast.
+/// Unevenness of the sky beside a disc, relative to the drop in light from disc to sky. It is the sum of the sky's
+/// changes along radii and its differences from the 20th percentile of the sky. A value above 0.5 means that the edge
+/// goes on beyond the circle (corner, horizon) or that light falls steadily. It is infinite if no contrast is visible.
 double unevenness(const Luminance& image, const Disc& disc) {
   constexpr double band = 0.1;
   const double wide_px = std::max(2., band * disc.radius_px);
@@ -213,7 +213,7 @@ double unevenness(const Luminance& image, const Disc& disc) {
     limb += std::max(0., std::max(mean(0), mean(1)) - mean(2));
     beyond.push_back(mean(3));
   }
-  constexpr double least_contrast = 0.02;  // four 8-bit sRGB steps are a contrast of at least 0.05
+  constexpr double least_contrast = 0.02;  // below the contrast of four 8-bit sRGB steps (0.036+)
   const double sky = std::reduce(beyond.begin(), beyond.end());
   if (limb <= 0 || limb < least_contrast * sky) return std::numeric_limits<double>::infinity();
   const double dark = quantile(beyond, 0.2);

@@ -105,7 +105,7 @@ class Readout {
   static double normal(Bits& bits) { return std::normal_distribution<double>()(bits); }
 
   static double set_free(double mean, Bits& bits) {
-    constexpr double many = 1e8;  // above this, Poisson's distribution is practically normal
+    constexpr double many = 1e8;  // above this, the Poisson distribution is practically normal
     if (mean > many) return std::max(0., mean + std::sqrt(mean) * normal(bits));
     return static_cast<double>(std::poisson_distribution<std::int64_t>(mean)(bits));
   }

@@ -206,7 +206,7 @@ double seeing_transfer(double cycles_per_rad, double width_rad) {
 algebra::Grid<double> blurred(const algebra::Grid<double>& picture, const Blur& blur,
                               double pixel_rad) {
   require_sound(blur, pixel_rad);
-  constexpr double unseen = 32;  // pixel width [λ/D] from which diffraction is invisible
+  constexpr double unseen = 32;  // diffraction is invisible in pixels this wide or wider [λ/D]
   const bool diffracts = blur.wavelength_nm != 0 && spreads_a_pixel(blur, pixel_rad) < unseen;
   const double seeing_px = blur.seeing_rad / pixel_rad;
   const bool seethes = seeing_px >= least_seeing_px;

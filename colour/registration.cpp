@@ -118,8 +118,8 @@ Similarity similarity_of(const Pair& pair, const Pose& pose) {
   return similarity;
 }
 
-/// Calls `act` for each pixel that the photograph's disc, out to a share of its radius, has in common with the render.
-/// Passes the squared distance from the centre in units of that limit, the weight, and both contrasts.
+/// Calls `act` for each photograph pixel that has weight in both pictures and lies within `out_to` radii of the disc's
+/// centre. Passes the squared distance from the centre (1 at that limit), the weights' product and both contrasts.
 void for_all_shared(const Pair& pair, const Pose& pose, double out_to, const auto& act) {
   const auto back = inverse(similarity_of(pair, pose));
   const auto corner = moved(back, {0.5, 0.5}), across = moved(back, {1.5, 0.5}) - corner,
@@ -307,7 +307,8 @@ Disc disc_in(const Values& picture, const char* name) {
 }
 
 CloseUp close_up(const Values& picture, const Disc& disc) {
-  constexpr double margin = 1.4, enough_px = 640;  // [disc radii]; 4 times the finest grid's radius
+  // The margin is in disc radii. 640 pixels are 4 times the disc's radius in the finest grid.
+  constexpr double margin = 1.4, enough_px = 640;
   const double by = std::max(1., std::floor(disc.radius_px / enough_px));
   const auto part = window_about({disc.x_px, disc.y_px, margin * disc.radius_px}, picture.rows(),
                                  picture.columns());

@@ -49,7 +49,7 @@ double between_pixels(const algebra::Grid<float>& image, const glm::dvec2& pixel
 
 namespace {
 
-/// Overlap of two smoothed triangles Λ∗Λ that are `apart`: ∫ (Λ∗Λ)(x) (Λ∗Λ)(x + apart) dx, the B-spline of order 8.
+/// Overlap of two smoothed triangles Λ∗Λ, shifted by `apart`: ∫ (Λ∗Λ)(x) (Λ∗Λ)(x + apart) dx, the B-spline of order 8.
 double overlap(double apart) {
   constexpr std::array binomials{1., -8., 28., -56., 70., -56., 28., -8., 1.};
   constexpr double factorial = 5040;

@@ -60,8 +60,8 @@ algebra::Grid<float> resampled(const algebra::Grid<float>& image, const Similari
 /// divided by the variance of one pixel. The latter is taken as half the mean square difference between pixels two
 /// apart in a row.
 ///
-/// The image is assumed to be interpolated bilinearly from a sensor's pixels, either among those of one colour or by a
-/// rotation. If its pixels are independent instead, the result is too large by a factor of up to two.
+/// The image is assumed to result from bilinear interpolation between a sensor's pixels, either in demosaicing or in a
+/// rotation. If the image's pixels are independent instead, the result is too large by a factor of up to two.
 ///
 /// Given     scale  number of image pixels along one side of a pixel of the other picture, 1e-4 to 1e4
 /// Accuracy  6 % for scales of 1 or more, averaged over the positions of pixels; also for a rotated picture

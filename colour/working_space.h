@@ -32,7 +32,7 @@ std::span<const std::string_view> aliases(WorkingSpace space);
 /// Throws  Error  for any other name, listing the three spaces
 WorkingSpace working_space(std::string_view name_or_alias);
 
-/// The space whose name a file's name contains, without regard to case, as in "moon_acescg.0001.exr"; nothing if none.
+/// The space named in a file's name, such as ACEScg in "moon_acescg.0001.exr", in upper or lower case; nothing if none.
 std::optional<WorkingSpace> space_in_name(std::string_view file_name);
 
 /// Whether a file's name contains the name of a colour space that is not a WorkingSpace, as "moon_aces.exr" does.

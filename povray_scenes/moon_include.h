@@ -42,9 +42,8 @@ struct StarInSky {
 /// Throws  Error  if the title has characters that are not allowed in POV-Ray's text
 std::string star_include(const std::string& title, std::span<const StarInSky> stars);
 
-/// The text of an include file for POV-Ray. It has macros for the Moon, Eclipsed_Moon(Enlarged, Distance), for
-/// moonlight, Eclipsed_Moonlight(Factor), and for the sky, Eclipsed_Sky(Factor). Named constants have the numbers of
-/// the MoonInSky. The file includes coppermoon.inc.
+/// Text of an include file for POV-Ray with the macros Eclipsed_Moon(Enlarged, Distance), Eclipsed_Moonlight(Factor)
+/// and Eclipsed_Sky(Factor), and with constants that hold the values in `moon`. The file includes coppermoon.inc.
 ///
 /// Throws  Error  if the texture's name or the title has characters that are not allowed in POV-Ray's text
 std::string moon_include(const MoonInSky& moon);

@@ -55,7 +55,7 @@ std::string spheres_text(const MoonScene& scene) {
 }
 
 /// A pane in front of the camera that emits the air's light, as text for POV-Ray. Its opacity is low, so that the Moon
-/// and the stars behind it stay visible. It extends half a step beyond the frame, as POV-Ray interpolates texels.
+/// and the stars behind it stay visible. It extends half a texel beyond the frame so that POV-Ray can interpolate.
 std::string pane_text(const MoonScene& scene) {
   if (!scene.air) return {};
   const auto& [image, columns, rows, step] = *scene.air;

@@ -159,7 +159,7 @@ std::optional<glm::dvec3> ground_at(const Sight& sight, const glm::dvec2& pixel)
       sight.round_from_flattened *
       glm::normalize(sight.corner + pixel.x * sight.across + pixel.y * sight.down);
   const glm::dvec3 from = sight.round_from_flattened * sight.position;
-  // Count from the point of the ray nearest to the Moon's centre: distances from a far camera would lose digits.
+  // Distances start at the ray's point nearest to the Moon's centre, because those from a far camera lose digits.
   const double squared = glm::dot(ray, ray), away = -glm::dot(from, ray) / squared;
   const glm::dvec3 nearest = from + away * ray;
   const double inside = 1 - glm::dot(nearest, nearest);

@@ -60,7 +60,7 @@ auto of_any(const Thing& thing, Function&& value) {
 template <class Value>
 using ByName = std::vector<std::pair<std::string, Value>>;
 
-/// A word, with the list of all words that are allowed in its place.
+/// A word from a fixed set, together with all words of that set.
 struct Word {
   std::string_view word;
   std::vector<std::string_view> allowed;

@@ -45,7 +45,7 @@ constexpr double in_radians(Angle x) { return x.in_kept_unit(); }
 constexpr double in_degrees(Angle x) { return x.in_kept_unit() * 180 / std::numbers::pi; }
 constexpr double in_arcminutes(Angle x) { return in_degrees(x) * 60; }
 
-/// Reduces an angle to the range from 0 to 2π. The result is 2π itself only because of rounding.
+/// Reduces an angle to at least 0 and less than 2π. Rounding may raise a result just below 2π to 2π.
 inline Angle within_circle(Angle x) {
   const Angle circle = radians(2 * std::numbers::pi);
   const Angle rest = radians(std::fmod(in_radians(x), in_radians(circle)));

@@ -15,7 +15,7 @@ inline constexpr double astronomical_unit_m = 149597870700.0, speed_of_light_m_p
 /// elp_2000_82b  2 to 4 ms a call, one call at a time in the whole process (libnova keeps static state).
 ///               The Moon's mean longitude is corrected to agree with DE405 by
 ///                   −0.07008″ − 0.35106″ T − 0.95753″ T²          T in centuries from 2000
-///               of which −0.9201″ T², or 23″ in 1500 and 1500″ in −1999, is due to a newer tidal acceleration
+///               of which −0.9201″ T², or 23″ in 1500 and 1500″ in −1999, is due to a newer value of tidal acceleration
 /// Source  Meeus (1998), Astronomical Algorithms, chapter 47, as implemented in ERFA;
 ///         Chapront-Touzé & Chapront (1983), Astron. Astrophys. 124, 50;
 ///         for the correction, Chapront & Francou (2003), Astron. Astrophys. 404, 735 (ELP/MPP02)

@@ -60,7 +60,7 @@ std::optional<CivilTime> civil_time(std::string_view text) {
 std::optional<CivilTime> in_utc(CivilTime c) {
   constexpr int day_min = 24 * 60;
   const int minutes = 60 * c.hour + c.minute - c.minutes_east;
-  const int days = (minutes + 2 * day_min) / day_min - 2;  // rounded down, also if negative
+  const int days = (minutes + 2 * day_min) / day_min - 2;  // rounded down, even if negative
   double day = 0, midnight = 0, fraction = 0;
   if (eraCal2jd(c.year, c.month, c.day, &day, &midnight) != 0) return std::nullopt;
   eraJd2cal(day, midnight + days, &c.year, &c.month, &c.day, &fraction);

@@ -15,7 +15,7 @@ struct Observer {
 
 /// How an observer would see the Moon if there were no air.
 struct ObserverView {
-  glm::dvec3 position_m;             ///< vector from the Earth's centre, in GCRS axes
+  glm::dvec3 position_m;             ///< from the Earth's centre to the observer, in GCRS axes
   glm::dvec3 zenith;                 ///< unit vector along the geodetic vertical, in GCRS axes
   glm::dvec3 north;                  ///< unit vector to the celestial pole of date, in GCRS axes
   algebra::Angle altitude, azimuth;  ///< of the Moon's centre; azimuth is from north through east

@@ -21,7 +21,7 @@ struct Planet {
 
 /// The planets from Mercury to Neptune, without the Earth.
 ///
-/// Accuracy  positions: 0.15″ compared with an example for 1992, 1″ in 1800-2100 as the theory states; magnitudes: 0.1
+/// Accuracy  positions: 1″ from 1800 to 2100 (VSOP87's authors), 0.15″ in Meeus's example for 1992; magnitudes: 0.1
 /// Omits     changes in magnitude with the rotation and seasons of Mars, and with Uranus's sub-Earth latitude (0.1 mag)
 /// Source    VSOP87 (Bretagnon & Francou 1988, Astron. Astrophys. 202, 309) in libnova;
 ///           magnitudes: Mallama & Hilton (2018), Astronomy and Computing 25, 10; B − V: Cox (2000),

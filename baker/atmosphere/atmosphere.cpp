@@ -41,8 +41,8 @@ void require_valid(const Column& column) {
     throw algebra::Error("density = seasonal, allowed with the air of a latitude and a season");
 }
 
-/// Altitudes where the slope of the density jumps [m]. Seasonal air has no such jumps. It is divided at altitudes
-/// between which a quadrature with few nodes is accurate.
+/// Altitudes at which integrals over the density are divided [m]: those where its slope jumps. With Density::seasonal,
+/// the slope does not jump. The altitudes are then chosen so that few quadrature nodes suffice in each interval.
 std::vector<double> density_breaks(const Column& column) {
   if (column.density == Density::seasonal)
     return {column.tropopause_m - tropopause_wander_m, column.tropopause_m + tropopause_wander_m,

@@ -40,7 +40,7 @@ struct Column {
   double tropospheric_scale_m = 2e3;      ///< scale height of tropospheric aerosol, 500 to 10 000 m
   StratosphericAerosol stratosphere = StratosphericAerosol::none;
   double stratospheric_factor =
-      1;  ///< multiplies the extinction by `stratosphere` or `stratospheric_layer`; 0 (off) to 100
+      1;  ///< factor on the extinction of `stratosphere` or `stratospheric_layer`; 0 (off) to 100
   double cloud_top_m = 10e3;
   double cloud_cover = 0;  ///< share of the limb where cloud stops rays below cloud_top_m, 0 to 1
 

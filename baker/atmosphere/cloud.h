@@ -15,8 +15,8 @@ inline constexpr double tropopause_wander_m = 2e3;
 ///
 /// Satellites followed the setting Sun down to 7 km in 30 % of occultations in the tropics and in 60 % at high
 /// latitudes. If the probability does not depend on height (cloud_profile), this gives 1.74e-6 m⁻¹ up to 10° and
-/// 1.46e-6 m⁻¹ from 65° on. In between, it is interpolated linearly, and then multiplied by the ratio of the actual
-/// cover of high cloud at the latitude to a cover that is interpolated in the same way.
+/// 1.46e-6 m⁻¹ from 65° on, with linear interpolation in between. At each latitude, the value is then multiplied by a
+/// ratio: the cover of high cloud there, divided by a cover interpolated linearly from 0.223 at 10° to 0.252 at 65°.
 ///
 /// Returned  1.1e-6 to 1.9e-6, smallest at 30° and 90°
 /// Accuracy  reproduces the 30 % and the 60 % to within 0.02; elsewhere a third

@@ -16,7 +16,7 @@ constexpr double hydrostatic_constant_k_per_m = 9.80665 * 28.9644 / 8314.32;
 struct Layer {
   double base_m, density_ratio;
   double warming_per_m;  // lapse rate divided by base temperature, L/T_b
-  double exponent;       // exponent of T/T_b, or, if L is 0, of e, per metre
+  double exponent;       // power of T/T_b in the density; if L is 0, d ln(density)/dh [1/m]
 };
 
 constexpr std::size_t layer_count = 7;

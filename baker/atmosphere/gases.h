@@ -35,7 +35,7 @@ double nitrogen_dioxide_cross_section_m2(algebra::Wavelength wavelength);
 ///
 /// Given     wavelength  380 to 780 nm
 /// Returned  [m⁻¹]       at most 2.4e-6, at 765 nm
-/// Accuracy  15 % of the light lost at 628 and 688 nm, 35 % at 762 nm (saturated), for tangent heights of 3 to 20 km
+/// Accuracy  of the loss of light: 15 % at 628 and 688 nm, 35 % at 762 nm (saturated), at tangent heights of 3 to 20 km
 /// Omits     spectral detail narrower than 20 nm
 /// Throws    Error       when the wavelength is outside its range
 /// Source    band model of LOWTRAN 7: Kneizys et al. (1988), AFGL-TR-88-0177
@@ -50,7 +50,7 @@ double oxygen_bands_per_m(algebra::Wavelength wavelength);
 /// Given     water       relative to the US standard atmosphere (14 mm of precipitable water), 0 or more
 ///           wavelength  380 to 780 nm
 /// Returned  [m⁻¹]       at most 6.8e-6, at 725 nm and water = 1
-/// Accuracy  15 % of the light lost, for tangent heights of 2 to 8 km
+/// Accuracy  of the loss of light: 15 %, for tangent heights of 2 to 8 km
 /// Omits     spectral detail narrower than 20 nm
 /// Throws    Error       when the wavelength is outside its range
 /// Source    as for oxygen_bands_per_m

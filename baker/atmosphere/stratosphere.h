@@ -8,8 +8,8 @@
 
 namespace coppermoon::atmosphere {
 
-/// Amount of sulphuric acid and ash in the stratosphere, from none to that in years without eruptions (background) and
-/// after a fresh eruption (extreme). Vertical optical depths above 9 km at 550 nm are 0, 0.008, 0.028, 0.086 and 0.262.
+/// Amount of sulphuric acid and ash in the stratosphere: `background` is that of years without eruptions, and `extreme`
+/// that after a fresh eruption. Vertical optical depths above 9 km at 550 nm are 0, 0.008, 0.028, 0.086 and 0.262.
 enum class StratosphericAerosol { none, background, moderate, high, extreme };
 
 /// Extinction by stratospheric aerosol at 550 nm [m⁻¹].
@@ -50,8 +50,8 @@ double stratospheric_optical_depth(double year, algebra::Angle latitude);
 /// Standard error of the global mean of stratospheric_optical_depth.
 ///
 /// Returned  40 % of the mean until 1849, 30 % until 1978, 10 % until 2016, 15 % until 2021, 25 % until 2024, 30 % in
-///           2025. From 2026 on it is 0.003: half the width of the range that contains 68 % of the months from 1997 to
-///           2025, but no great eruption
+///           2025. From 2026 on, an optical depth of 0.003: half the width of the range that contains 68 % of the
+///           months from 1997 to 2025. A great eruption would lie outside this range
 double stratospheric_depth_error(double year);
 
 /// Ångström exponent of the stratosphere's aerosol between 550 and 1020 nm, over a latitude in a month.

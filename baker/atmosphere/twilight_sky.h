@@ -16,8 +16,8 @@ namespace coppermoon::atmosphere {
 /// there.
 ///
 /// Given     sun_altitude  of the Sun's centre, airless; -90 to 5 degrees
-/// Accuracy  a quarter with the Sun down to -6 degrees, a third with the Sun at -12 degrees; the zenith is 0.2 to 0.5
-///           mag darker than measured on Paranal
+/// Accuracy  of the light: a quarter with the Sun down to -6 degrees, a third with the Sun at -12 degrees; the zenith
+///           is 0.2 to 0.5 mag darker than measured on Paranal
 /// Omits     refraction, polarisation, aerosol in the stratosphere; light from the mesosphere
 /// Throws    Error         when the Sun's altitude or a quantity of the air is outside its range
 /// Source    data/make_twilight_sky.py

@@ -168,7 +168,7 @@ void start(RunningProgram& running, const Program& program, const Streams& strea
     throw Error(fmt::format("{}: cannot be run: {}", program.words[0], last_error().message()));
   const auto thread = owned(made.hThread);
   running.id = reinterpret_cast<std::intptr_t>(made.hProcess);
-  if (program.outlives_us) return;  // already running, as this process may end before resuming it
+  if (program.outlives_us) return;  // never suspended: this process may end before ResumeThread
   running.tree = job_that_ends();
   ::AssignProcessToJobObject(system_handle(running.tree), made.hProcess);
   ::ResumeThread(made.hThread);

@@ -16,7 +16,7 @@ namespace coppermoon::files {
 /// formats of a command derive from this struct and add the function that writes the file.
 struct Ending {
   std::string_view ending;  ///< ending of the file's name, such as ".png"
-  std::string_view help;    ///< content, such as "developed"; empty if the ending says enough
+  std::string_view help;    ///< what the file holds, such as "scene-linear"; may be empty
 };
 
 /// The formats as a list for readers, such as ".exr (scene-linear), .png (developed)".

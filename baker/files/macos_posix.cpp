@@ -31,7 +31,7 @@ void execute(char* const* arguments, char* const* variables) {
   ::execvp(arguments[0], arguments);
 }
 
-/// kqueue does not report when a file is closed, so the caller waits until the program ends.
+/// kqueue does not report when a file is closed, so the caller waits until the child process that writes it ends.
 Handle watch(const fs::path&, const std::string&) { return {}; }
 
 bool has_closed(const Handle&, const std::string&) { return false; }

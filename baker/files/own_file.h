@@ -11,7 +11,7 @@ namespace coppermoon::files {
 ///
 /// Given  text     complete lines
 ///        comment  what starts a comment in the text's language, such as "//"
-///        end      what ends the comment, such as " -->"; empty if the end of the line does
+///        end      what ends the comment, such as " -->"; empty if comments end with the line
 std::string stamped(std::string_view text, std::string_view comment, std::string_view end = {});
 
 /// Whether a file ends with the fingerprint of its text; false for a link.

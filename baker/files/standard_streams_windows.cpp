@@ -39,8 +39,8 @@ bool is_terminal(DWORD stream) {
 
 }  // namespace
 
-/// Sets the standard streams to bytes, and consoles to UTF-8. Closed streams need no preparation, because using them
-/// fails anyway. No window will ask the user what to do if the program or a library fails.
+/// Sets the standard streams to binary mode, and consoles to UTF-8. Closed streams need no preparation, because using
+/// them fails anyway. No window will ask the user what to do if the program or a library fails.
 void prepare_standard_streams() {
   for (FILE* const stream : {stdin, stdout, stderr})
     if (const int number = ::_fileno(stream); number >= 0) ::_setmode(number, _O_BINARY);

@@ -13,7 +13,7 @@ namespace coppermoon::files {
 /// Throws  Error  with the name of the folder in the environment variable TMPDIR
 void require_temporary_folder();
 
-/// The program of this system that removes a file or folder once its standard input ends.
+/// Shell command that waits for the end of its standard input, and then removes the given file or folder.
 Program remover_of(const std::filesystem::path& path);
 
 /// Removes a file or folder if the program ends, or is killed, during this object's lifetime. A child process waits for
@@ -46,7 +46,7 @@ class TemporaryFolder {
   std::optional<RemovalAtEnd> removal_;
 };
 
-/// Gives a file a second name in a temporary folder: by a link or, if links are not allowed, by a hard link or a copy.
+/// Gives a file a second name in a temporary folder: by a symbolic link or, if that fails, by a hard link or a copy.
 ///
 /// Throws  std::filesystem::filesystem_error
 void name_also(const std::filesystem::path& file, const std::filesystem::path& name);

@@ -80,7 +80,7 @@ struct Piece {
 
 /// Node of the quadrature over altitude, with the properties of the air there.
 struct Node {
-  double above_m, r_m, dh_m;  ///< height above tangent, geocentric distance, weight in height
+  double above_m, r_m, dh_m;  ///< height above tangent, geocentric distance, quadrature weight
   atmosphere::ValueAndSlope density;
   atmosphere::Amounts profiles;
 };

@@ -45,10 +45,10 @@ class ProfileTable {
 ///           refractivity      n₀ − 1, at sea level
 ///           table             profiles of the column; if nullptr, they are evaluated without a table
 /// Accuracy  relative errors: 1e-8 for bending, air, dust and tropospheric aerosol; 5e-5 for ozone and 2e-4 (at most
-///           1e-3) for stratospheric aerosol, because their profiles have kinks; 5e-5 for the optical depth of air that
-///           is not seasonal. In seasonal air, 2e-5 for bending (2e-4 above 25 km) and 2e-4 for the optical depth.
+///           1e-3) for stratospheric aerosol, because their profiles have kinks; 5e-5 for the optical depth. If the air
+///           depends on the season (SeasonalAir), 2e-5 for bending (2e-4 above 25 km) and 2e-4 for the optical depth.
 ///           Errors are larger in the last micrometre below a break or the top of the air, because altitudes are
-///           rounded. They reach 6 % in the last metre below 86 km, because US 1976 ends 5 cm lower
+///           rounded. They reach 6 % in the last metre below 86 km, because US 1976 ends 5 cm below 86 km
 /// Throws    Error  if the tangent height is below 0, or the air traps light (atmosphere::critical_refractivity)
 /// Source    Auer & Standish (2000), AJ 119, 2472, for the integrals
 LimbPath limb_path(double tangent_height_m, double earth_radius_m, const atmosphere::Column& column,
@@ -64,7 +64,7 @@ std::vector<LimbPath> limb_paths(double tangent_height_m, double earth_radius_m,
 /// Refraction and extinction of a ray past the limb, at one wavelength.
 struct LimbRay {
   double tangent_height_m, bending_rad;
-  double transmittance;  ///< due to optical depth, clouds, and ozone (if it acts as a filter)
+  double transmittance;  ///< exp(−optical depth) times limb_filter, for cloud and an ozone filter
   double optical_depth;  ///< sum over all absorbers along the path
 };
 

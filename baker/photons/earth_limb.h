@@ -10,13 +10,12 @@
 
 namespace coppermoon::photons {
 
-/// Number of parts in a WholeLimb: one for each belt of air, and one or two for each other column of air in use.
 std::size_t parts_of_limb(const atmosphere::Atmosphere& atmosphere);
 
-/// The Earth's limb, divided into parts that each have a table of rays. A belt of air is one part, with the ground's
-/// radius at the belt. Any other column of air is one part on a sphere. On an ellipsoid it is two parts, at the equator
-/// and at the pole. At other position angles, light is the mean of both, in which the pole has the weight cos² of the
-/// position angle. Columns that do not occur on the limb have no part.
+/// The Earth's limb, divided into parts that each have a table of rays. The column of air of a Belt is one part, with
+/// the ground's radius at the belt. Any other column is one part if the Earth is a sphere. On an ellipsoid it has two
+/// parts, for the equator and for the pole. Light at a position angle is then the mean of these two, weighted by sin²
+/// and cos² of the angle. Columns that do not occur on the limb have no part.
 class WholeLimb {
  public:
   struct Part {

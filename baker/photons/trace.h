@@ -22,7 +22,7 @@ struct Stepping {
 /// Result of tracing a ray until it has left the air again.
 struct Traced {
   Ray leaving;
-  double transmittance;  ///< due to optical depth, clouds, and ozone (if it acts as a filter)
+  double transmittance;  ///< exp(−optical depth) times limb_filter, for cloud and an ozone filter
   int steps;
 };
 

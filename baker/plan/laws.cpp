@@ -12,24 +12,26 @@ namespace {
 
 /// Times [s] for single steps on one core of the machine on which they were measured: AVX-512 at 3 GHz, under load.
 struct Costs {
-  double ray_followed = 8e-6;       ///< time per traced ray; each limb part needs 250 or more
-  double fan_ray = 58e-9;           ///< time per interpolated ray and wavelength
-  double landed_ray = 160e-9;       ///< time per landing ray, wavelength and plane
-  double place = 33e-6;             ///< time per place to divide the Sun's disc into stretches
-  double place_term = 6e-6;         ///< time per place, term and harmonic to integrate along arcs
-  double place_wavelength = 74e-9;  ///< time per place, term, harmonic, limb part and wavelength
-  double angle_harmonic = 30e-9;    ///< time per place, angle, term, limb part and harmonic
-  double angle_wavelength = 30e-9;  ///< time per place, angle, term, limb part and wavelength
+  double ray_followed = 8e-6;  ///< time per traced ray; each limb part needs 250 or more
+  double fan_ray = 58e-9;      ///< time per interpolated ray and wavelength
+  double landed_ray = 160e-9;  ///< time to add up light where a ray lands, per wavelength and plane
+  double place = 33e-6;        ///< time to divide the Sun's disc into parts, per point in shadow
+  double place_term = 6e-6;    ///< time for disc integrals per point, limb-darkening term, harmonic
+  /// time to add up light as a series, per point, limb-darkening term, harmonic, part of the limb and wavelength
+  double place_wavelength = 74e-9;
+  /// time to turn a harmonic to an angle, per point, angle, limb-darkening term, part of the limb and harmonic
+  double angle_harmonic = 30e-9;
+  /// time to add up light at an angle, per point, angle, limb-darkening term, part of the limb and wavelength
+  double angle_wavelength = 30e-9;
   double lookup = 6e-3;
-  double trial = 45e-3;  ///< time to find out how much each term of the light matters
+  double trial = 45e-3;  ///< time to find how much refraction, flattening, scattering etc. matter
   double twilight = 40e-3, twilight_wavelength = 1e-3;
   double photon_wavelength = 2.2e-9;  ///< time per photon, wavelength and plane, without sectors
   double sectors_dearer = 8;          ///< factor by which gathering in sectors takes longer
   double photon_literal = 163e-6;
-  /// measured time to compute the light, divided by the sum of the estimates for its steps
-  double together = 1.75;
-  double start = 0.22;   ///< time to start the program and its image libraries, for a texture
-  double texel = 48e-9;  ///< time per texel to light it and to write it
+  double together = 1.75;  ///< measured time for the light / sum of its steps' estimated times
+  double start = 0.22;     ///< time to start the program and its image libraries, for a texture
+  double texel = 48e-9;    ///< time per texel to light it and to write it
   double map_file = 0.2;
 };
 
@@ -60,9 +62,9 @@ double seconds_of_places(const Work& work, const Scene& scene, double places) {
   const double waves = 8 * std::ceil(work.bands / 8.);
   const double terms = scene.limb_darkening ? work.sun_terms : 1;
   const bool ellipsoid = work.ellipsoid && scene.ellipsoid;
-  const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // a sphere's limb has half the parts
+  const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // half an ellipsoid's tables of rays
   const double parts = regions ? fewer * static_cast<double>(scene.parts) : ellipsoid ? 2 : 1;
-  // Regions need fifty harmonics on average, but each costs only half, because harmonics share their bins.
+  // Regions need fifty harmonics on average. Together they cost as much as 25 single ones, as all read the same bins.
   const double harmonics = regions ? (scene.borders ? 25 : 11) : ellipsoid ? 2 : 1;
   const double series =
       cost.place + terms * harmonics * (cost.place_term + cost.place_wavelength * parts * waves);
@@ -86,7 +88,7 @@ double seconds_of_quadrature(const Work& work, const Scene& scene, double distan
   const Costs cost;
   const bool ellipsoid = work.ellipsoid && scene.ellipsoid;
   const bool regions = work.regions && scene.columns > 1;
-  const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // a sphere's limb has half the parts
+  const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // half an ellipsoid's tables of rays
   const double parts = regions ? fewer * static_cast<double>(scene.parts) : ellipsoid ? 2 : 1;
   const double rays = work.rays;
   // More rays need more divisions of the Sun's disc and, if the air has sharp borders, more harmonics too.

@@ -16,7 +16,7 @@
 namespace coppermoon::plan {
 namespace {
 
-/// Names of the terms of the light, in the order of the enumeration Term.
+/// Names of the effects that can be left out, in the order of the enumeration Term.
 constexpr std::array<std::string_view, 4> term_names{"light through the air", "ellipsoid",
                                                      "regions", "scattered light"};
 
@@ -34,7 +34,7 @@ Knob knob(std::vector<double> settings, const std::optional<Member>& by_hand,
           [member](Work& work, double value) { work.*member = static_cast<Member>(value); }};
 }
 
-/// Knobs that switch the terms of the light. Each can be off and, if the term makes a difference, on. Refracted light
+/// One knob for each effect of the enumeration Term: off or on, or only off if the effect changes nothing. Refraction
 /// is always on if its absence would exceed the tolerance, because coarse refracted light may be worse than none.
 std::vector<Knob> switches(double tolerance, const Scene& scene, const ByHand& by_hand) {
   const auto term = [&](bool Work::*member, bool there, bool always = false) -> Knob {
@@ -143,7 +143,6 @@ class Refinement {
   Work work_;
 };
 
-/// Terms of the light that the given work leaves out, the largest first.
 std::vector<LeftOut> left_out(const Work& work, const Scene& scene) {
   std::vector<LeftOut> all;
   if (!work.refracted) all.push_back({Term::refracted, scene.without_refracted});

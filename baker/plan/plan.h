@@ -52,7 +52,7 @@ struct ByHand {
   std::optional<double> photons{};
   std::optional<int> bands{}, rays{}, sun_terms{}, planes{};
   std::optional<double> place_error{};
-  std::optional<Work> terms{};   ///< only the switches of the four terms are used
+  std::optional<Work> terms{};   ///< only refracted, ellipsoid, regions, scattered_light are used
   bool scattered_light = false;  ///< forces scattered light, however faint, unless `terms` is given
 };
 
@@ -66,7 +66,7 @@ struct Scene {
   double texels = 0;        ///< number of texels in the baked texture; 0 without a texture
   bool map_file = false;    ///< whether an albedo map is read
 
-  /// Largest relative change of luminance anywhere on the disc if the named term of the light is left out.
+  /// Largest relative change of luminance anywhere on the disc if the effect in the member's name is left out.
   double without_refracted = 1, without_ellipsoid = 0, without_regions = 0, without_scattered = 0;
 };
 
@@ -179,10 +179,10 @@ double predicted_error(const Work& work, const Scene& scene);
 Plan plan_for(const Scene& scene, const Wish& wish, const Machine& machine,
               const ByHand& by_hand = {});
 
-/// Settings for light at given places and wavelengths on one plane. Only the numbers of rays and of the Sun's terms are
-/// chosen; the other settings are the finest ones.
+/// Settings for light at given places and wavelengths on one plane. Only the numbers of rays and limb-darkening terms
+/// are chosen. The other settings are the finest ones.
 ///
-/// Given   by_hand  the user's numbers of rays and of the Sun's terms, which the plan keeps
+/// Given   by_hand  the user's numbers of rays and of limb-darkening terms, which the plan keeps
 /// Throws  Error    if the tolerance is outside its range
 Work work_of_rays(double tolerance, bool limb_darkening, const ByHand& by_hand = {});
 

@@ -85,13 +85,13 @@ struct Parameter {
   std::string meaning;  ///< explanation for users, with unit and range
   std::optional<Range> range{};
   Texts words{};
-  /// Endings that a file to be written may have, each with the file's content. If there are none, `meaning` names them.
+  /// Endings allowed for a file to be written, each with a description of the content. If empty, `meaning` lists them.
   std::vector<std::pair<std::string, std::string>> endings{};
   std::string usual{};    ///< the default, which is the field's initial value; empty if none
   std::string heading{};  ///< heading under which help lists the parameter
   std::string table{};    ///< TOML table for it in recipes, such as "camera"; empty if none
   Affects affects = Affects::ground;
-  bool planned = false;  ///< a result's recipe holds the value that the plan chose instead
+  bool planned = false;  ///< if true, a result's recipe holds planned settings instead of the value
   bool many = false;     ///< may be given several times, and all its values are used
   bool is_required = false;
   Texts excluded{};                     ///< parameters with which this one cannot be combined
@@ -110,7 +110,7 @@ struct Parameter {
   /// The strings that the user gave, or else the field's value as strings.
   Texts texts() const { return given ? *given : read(); }
 
-  /// Whether the value may be given on a command line without a flag, like the instant.
+  /// Whether the parameter is a positional argument: a command line may give its value without a flag.
   bool is_positional() const {
     return spelling.front() != '-' && spelling.find(',') != std::string::npos;
   }

@@ -27,7 +27,7 @@ std::string quoted(const std::string& text) {
 /// Whether TOML can hold a value without quotes. Integers must be below 2^63; fractions such as 24000/1001 need quotes.
 bool is_bare(const Parameter& parameter, const std::string& text) {
   if (parameter.kind == Kind::presence) return true;
-  if (parameter.name == "field") return fault_in(Kind::number, text).empty();  // "moon" is quoted
+  if (parameter.name == "field") return fault_in(Kind::number, text).empty();  // words need quotes
   return is_number(parameter.kind) && fault_in(parameter.kind, text).empty() &&
          !(parameter.kind == Kind::natural && std::stoull(text) >> 63);
 }

@@ -138,7 +138,7 @@ void set_kind(Field& field) {
 struct TakesDown {
   Fields fields;
 
-  /// Records only the first name, because a result may then describe a part of itself under another name.
+  /// Keeps the first name. Any later names are those of parts that the result describes with the same visitor.
   void a(std::string_view name, std::string_view meaning) {
     if (!fields.name.empty()) return;
     fields.name = name;

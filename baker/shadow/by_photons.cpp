@@ -23,7 +23,7 @@ namespace {
 using algebra::Grid;
 using atmosphere::Atmosphere;
 
-/// Number of photons that are processed together. Their rows of light are held in memory at once.
+/// Number of photons that are processed together. Their light at all wavelengths is in memory at once.
 constexpr std::size_t batch = 32;
 
 /// Buffers that one thread needs to gather photons.
@@ -141,7 +141,7 @@ class Simulation {
   const PhotonSettings& settings_;
   std::vector<atmosphere::Optics> optics_;
   Rings rings_;
-  std::optional<LimbLandings> landings_;  ///< absent for literal photons
+  std::optional<LimbLandings> landings_;  ///< absent if photons are traced step by step
 };
 
 /// Progress of a simulation, counted in finished blocks of photons.
@@ -170,7 +170,7 @@ void add_blocks(const Simulation& simulation, BlockRange blocks, BlockSums& sums
     next = std::min(blocks.to, from + size);
     return {from, next};
   };
-  // calls back after every block, although progress counts only whole parts, because the callback may cancel the run
+  // reports after every block, though the count grows only by ranges of blocks, because the callback may cancel the run
   const auto tell = [&] { progress.tell(); };
   const auto trace = [&](BlockRange range) -> Part {
     return {range, std::make_shared<BlockSums>(simulation.simulated(range, tell))};

@@ -20,7 +20,7 @@ struct PhotonSettings {
   /// if true, photons are traced as in Yapo & Cutler (2009) (photons::trace), in three dimensions and each with one
   /// wavelength. If false, each photon carries all wavelengths through a table of the limb's rays (photons::WholeLimb)
   bool literal = false;
-  photons::Stepping stepping;  ///< step lengths for literal photons
+  photons::Stepping stepping;  ///< step lengths, used only if `literal` is true
   int rays = 500;              ///< number of rays in the limb's table
   double ring_width_m = 50e3;  ///< width of the rings that gather photons, 1e3 to 2e6 m
   /// number of sectors of position angle, 1 to 1000; with 1, photons are gathered regardless of position angle

@@ -25,11 +25,11 @@ using atmosphere::Atmosphere;
 using std::numbers::pi;
 
 /// Highest harmonic in the Fourier series of the limb's parts around the position angle; it grows with the number of
-/// rays. Each pair of errors is the worst and the mean at 400 to 700 nm, up to 6000 km from the axis. For 13 belts of
-/// air, 48 harmonics err by 1e-4 and 3e-6 compared with 192, or by 4e-4 and 2e-5 with dust in every other belt. For
-/// regions, 160 harmonics err, compared with arcs cut at the borders, by 6e-3 and 5e-5 if one region has the aerosol of
-/// a great eruption, and by 2e-2 and 1e-4 if one has dust that transmits a hundredth. Luminance with 300 rays, compared
-/// with 160 harmonics, errs by 5e-4 and 3e-5 with 24 harmonics for belts, and by 7e-4 and 7e-6 with 75 for regions.
+/// rays. Omitted harmonics cause these worst errors (means in brackets), at 400 to 700 nm up to 6000 km from the axis:
+/// 13 belts of air, 48 harmonics compared with 192: 1e-4 (3e-6), or 4e-4 (2e-5) with dust in every other belt;
+/// regions, 160 harmonics compared with integrals along arcs that end at the regions' borders: 6e-3 (5e-5) if a region
+/// has the aerosol of a great eruption, 2e-2 (1e-4) if a region has dust that transmits a hundredth;
+/// luminance of 300 rays compared with 160 harmonics: 5e-4 (3e-5) with 24 for belts, 7e-4 (7e-6) with 75 for regions.
 int highest_harmonic(const Atmosphere& atmosphere, int rays) {
   if (atmosphere.one_column()) return 2;  // an ellipsoid needs no higher harmonic
   return atmosphere.regions.empty() ? std::clamp(rays / 16, 24, 48) : std::clamp(rays / 4, 75, 160);

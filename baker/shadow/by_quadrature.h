@@ -9,8 +9,8 @@
 
 namespace coppermoon::shadow {
 
-/// Ratio to unshaded sunlight below which light is invisible: a thousandth of the smallest positive half-precision
-/// number, in the units of a texture of the Moon.
+/// Ratio to unshaded sunlight below which light is invisible. It gives the Moon a luminance of about 5e-11 cd/m², a
+/// thousandth of the smallest positive half-precision number.
 inline constexpr double darkness_ratio = 1e-14;
 
 /// Settings that determine the resolution of the quadrature.

@@ -22,9 +22,9 @@ struct Stretch {
 /// Coefficients of r⁰, r¹ and r² in the quadratic through the given values at three Gauss nodes of an interval of r.
 std::array<double, 3> square_through(double from, double to, const std::array<double, 3>& values);
 
-/// Divides the axis distances of the arcs within the Sun's disc, projected around a place, into stretches. Stretches
-/// become narrower towards the disc's edges, because an arc's length varies there as the square root of the distance
-/// from the edge. At the edges they are one bin wide and hold the mean over the bin.
+/// Divides the Sun's projected disc, centred on a place in the shadow, into intervals of distance from the axis. Such a
+/// Stretch is narrower near the disc's edges, because an arc's length varies there as the square root of the distance
+/// from the edge. At the edges, stretches are one bin wide and hold the mean over the bin.
 ///
 /// Given     gamma    axis distance of the place, in bins
 ///           a        radius of the disc, in bins

@@ -90,7 +90,7 @@ double covered_part(double axis_distance_m, double depth_m, double sun_distance_
                     double opaque_radius_m);
 
 /// Direct light is sunlight that passes clear of the Earth and its air, as a ratio to unshaded sunlight at each
-/// wavelength. For a uniform solar disc there is a closed form. A limb-darkened disc counts as many uniform discs.
+/// wavelength. For a uniform solar disc there is a closed form. A limb-darkened disc is a sum of such concentric discs.
 ///
 /// Accuracy  1e-3 of unshaded sunlight, because an ellipsoid's limb is treated as a circle with the limb's radius at
 ///           the position angle of the place

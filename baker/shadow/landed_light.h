@@ -21,7 +21,7 @@ inline constexpr std::size_t lanes = 8;
 struct LandingPlane {
   double sun_distance_m, depth_m;
   double bin_m;    ///< width of the bins of axis distance
-  double reach_m;  ///< axis distance beyond which light is left out, on the limb's own side
+  double reach_m;  ///< axis distance beyond which light that has not crossed the axis is left out
 
   /// Index after the last bin that is needed for light that lands up to `farthest` bins from the axis.
   int end_of(double farthest) const;

@@ -108,9 +108,9 @@ LandedPlane::LandedPlane(const Sunlit& sunlit, double depth_m) : sunlit_(sunlit)
   last_ = std::max(first_, last_);
 }
 
-/// Number of blocks of wavelengths held in memory at once: all, if the blocks of all planes take 1.25 gigabytes or less
-/// (half a gigabyte for many wavelengths, because then only a few decide where to insert places). Otherwise, blocks of
-/// one plane fill half a gigabyte, because the disc must be divided again for every group of blocks.
+/// Number of blocks of wavelengths held in memory at once: all, if the blocks of all planes take at most 1.25 GB.
+/// For over 128 wavelengths, the limit is 0.5 GB, because a few of them then decide where to insert axis distances.
+/// Otherwise, one plane's blocks fill 0.5 GB, because the disc must be divided again for every group of blocks.
 std::size_t LandedPlane::blocks_at_once() const {
   constexpr std::size_t many = 128, most_bytes = 500'000'000;
   const std::size_t most_kept = sunlit_.waves.size() > many ? 500'000'000 : 1'250'000'000;
@@ -155,7 +155,7 @@ bool LandedPlane::by_series(double gamma_m) const {
 }
 
 void LandedPlane::light(std::span<const Place> places, const std::function<void(double)>& done) {
-  constexpr std::size_t at_once = 64;  // number of places whose factors fit into memory together
+  constexpr std::size_t at_once = 64;  // number of places computed together, limited by memory
   const auto pairs_done = [&](std::size_t blocks_by_places) {
     if (done)
       done(static_cast<double>(blocks_by_places) / static_cast<double>(blocks() * places.size()));
@@ -299,8 +299,8 @@ LandedPlane::Draws LandedPlane::draws(double gamma) const {
   return all;
 }
 
-/// Adds to `all` the factors of one stretch for light on the limb's own side of the axis or, with `across`, on the
-/// other.
+/// Adds to `all` the factors that multiply the moments of landed light in one interval of axis distance (Stretch). They
+/// are for light that has crossed the axis if `across` is true, and otherwise for light that has not.
 ///
 /// Given  node  index of the node at the stretch's inner end; the next node is at its outer end
 void LandedPlane::collect(const Stretch& stretch, bool across, std::size_t node, Draws& all) {

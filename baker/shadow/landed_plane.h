@@ -46,21 +46,21 @@ class Around {
  private:
   std::vector<double> angles_rad_;
   std::vector<Harmonic> harmonics_;  // sorted by the order of the harmonic
-  // (part, direction): number of directions, up to this one, at which this part of the limb has a share
+  // (part of the limb, position angle): number of tabulated angles before this one at which the part's weight is > 0
   algebra::Grid<int> here_;
 };
 
 /// A wavelength in one of several atmospheres.
 struct Wave {
   atmosphere::Optics optics;
-  const atmosphere::Atmosphere* air;  ///< its atmosphere, as for WholeLimb::fan
+  const atmosphere::Atmosphere* air;  ///< may differ from the limb's only in amounts of absorbers
 };
 
-/// Light from the whole limb on one plane.
+/// Light from the whole limb on one plane of the shadow.
 ///
-/// Off the axis, light is computed angle by angle from the parts of the limb within the projected Sun's disc about the
-/// place, because no other parts send light there. Near the axis (where the disc covers all parts), in symmetric air,
-/// and for belts at many angles, light is computed as a Fourier series in the position angle.
+/// Off the axis, light is computed for each position angle from the parts of the limb near that angle or the opposite
+/// one, because no other parts send light there. A Fourier series in the position angle is used near the axis (where
+/// all parts send light), in symmetric air, and in air that varies only with latitude if the series costs less.
 class LandedPlane {
  public:
   /// Axis distance at which light is wanted, and where to write the light.
@@ -93,7 +93,7 @@ class LandedPlane {
  private:
   using Block = std::array<double, lanes>;  // one value for each wavelength in the block
 
-  /// Nodes of LandedLight from which a place receives light, and the factors of their moments.
+  /// Nodes of LandedLight from which a place receives light, and the factors by which their moments are multiplied.
   struct Draws {
     double gamma_m = 0;
     std::vector<int> nodes;

@@ -23,7 +23,7 @@ inline const double* row_at(const LandedLight& part, int node) {
   return part.sums() + static_cast<std::size_t>(place) * moments * lanes;
 }
 
-/// Adds the rows of all parts at one node to several harmonics at once.
+/// Adds the moments (LandedLight) of all parts of the limb at one node to the sums of several harmonics at once.
 template <std::size_t together>
 void add_node(std::span<const double* const> rows, const HarmonicRows* harmonics,
               std::size_t factor, std::size_t terms) {

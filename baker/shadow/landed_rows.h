@@ -9,7 +9,7 @@
 
 namespace coppermoon::shadow {
 
-/// One harmonic of the position angle, to which rows of landed light are added.
+/// Inputs for one harmonic of the position angle, and its sums, to which add_landed_rows adds.
 struct HarmonicRows {
   const double* weights;  ///< weight of each part of the limb
   const double* factors;  ///< [node][term][moment]
@@ -27,7 +27,8 @@ void add_landed_rows(std::span<const LandedLight> parts, std::span<const int> no
 /// Number of position angles that are stored side by side, to be processed by vector instructions.
 inline constexpr std::size_t angles_together = 8;
 
-/// Writes turned[i][column][angle] = Σ factors(harmonic, column) turns[i][harmonic][angle], summed over harmonics.
+/// Converts factors for harmonics to factors for position angles. `turns` holds part i's share by harmonic and angle:
+/// turned[i][column][angle] = Σ factors(harmonic, column) turns[i][harmonic][angle], summed over harmonics.
 void turn_factors(const algebra::Grid<double>& factors,
                   const std::vector<std::vector<double>>& turns, std::vector<double>& turned);
 

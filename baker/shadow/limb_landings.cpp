@@ -26,8 +26,8 @@ constexpr std::size_t distance_bins = 96;
 /// Largest number of wavelengths used to compute the distribution of tangent heights.
 constexpr std::size_t deciding_waves = 8;
 
-/// Fraction of photons whose tangent height is drawn without regard to light, and the fraction of these photons that
-/// are spread evenly over heights instead of landing distances.
+/// Fraction of photons whose tangent height is drawn regardless of how much light each height sends. Of these photons,
+/// the fraction that is spread evenly over heights instead of landing distances.
 constexpr double blind_share = 0.2, even_share = 0.25;
 
 /// Half the angle of the arc about the axis that lies within a disc of radius 1. `centre` and `distance` are the axis
@@ -67,8 +67,8 @@ void normalise(std::span<double> row) {
     for (double& value : row) value /= sum;
 }
 
-/// Fills `chances`, which must be 0 before, with the importance of each cell between two rays, up to a common factor:
-/// the root mean square, over wavelengths, of the cell's share of all the light that lands.
+/// Writes the importance of each cell between two rays into `chances`, whose elements must be 0 on entry. Importance is
+/// the root mean square, over wavelengths, of the cell's share of all the light that lands, up to a common factor.
 ///
 /// Given  light  (wavelength, cell)
 void add_seeing(const Grid<double>& light, std::span<const double> arcs,

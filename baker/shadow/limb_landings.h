@@ -62,12 +62,12 @@ class LimbLandings {
  private:
   /// Tables for one part of the limb.
   struct Table {
-    std::vector<double> heights_m;       ///< [ray], tangent heights
-    std::vector<double> middle_landing;  ///< [ray], middle wavelength, in projected solar radii
-    algebra::Grid<float> light;          ///< (2 × cell + end, wavelength); end 0 is the lower ray
+    std::vector<double> heights_m;  ///< [ray], tangent heights
+    /// [ray], signed axis distances at which rays of the middle wavelength land [projected solar radii]
+    std::vector<double> middle_landing;
+    algebra::Grid<float> light;  ///< (2 × cell + end, wavelength); end 0 is the lower ray
     std::vector<algebra::Grid<float>> landing_m;  ///< [plane](ray, wavelength)
-    /// (bin of axis distance, ray): cumulative probability that a photon passes below the ray; all 0 if no light
-    /// lands in the bin
+    /// (bin of axis distance, ray): probability that a photon passes below the ray; all 0 if no light lands in the bin
     algebra::Grid<double> chance;
   };
 

@@ -22,8 +22,7 @@ constexpr double widest_spacing_m = 10e3;
 /// limb-darkened, because its limb, which appears first, is then as bright as its middle.
 double most_parts(const Arrangement& arrangement) { return arrangement.limb_darkening ? 10 : 40; }
 
-/// Axis distance up to which the refracted light of the last place is used. It is half a spacing beyond that place. For
-/// photons, the last ring ends there.
+/// Axis distance beyond which refracted light is 0: half a spacing beyond the outermost place (a ring's outer edge).
 double last_distance(std::span<const double> x) {
   return x.size() < 2 ? x.back() : x.back() + (x.back() - x[x.size() - 2]) / 2;
 }
@@ -158,8 +157,8 @@ struct Filling {
   }
 };
 
-/// Estimated error of linear interpolation between nodes, relative to the brightest channel: a quarter of the distance
-/// of the middle one of three nodes from the line through the outer two.
+/// Estimated error of linear interpolation between nodes, relative to the brightest channel. It is a quarter of the
+/// difference between the value at node `middle` and the mean of the values at the two nodes beside it.
 double bend(const LookupTable& table, std::size_t middle) {
   double bent = 0, brightest = 0;
   for (std::size_t c = 0; c < table.channels; ++c) {
@@ -201,7 +200,7 @@ std::vector<double> bends(const LookupTable& table, std::span<const char> known)
 }
 
 /// Number of parts into which a cell is divided. The error of linear interpolation falls as the square of the spacing.
-/// At the umbra's edge it falls as the power 3/2, because the Sun's uncovered area rises with that power there.
+/// At the umbra's edge it falls as spacing^(3/2), because the Sun's uncovered area grows as distance^(3/2) there.
 double parts_for(double tolerance, double error) {
   if (error <= tolerance) return 1;
   return std::ceil(std::pow(error / (0.8 * tolerance), 2. / 3));

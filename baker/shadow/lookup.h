@@ -29,16 +29,16 @@ struct LookupRange {
   double from_m = 0;
   double to_m = std::numeric_limits<double>::infinity();  ///< clamped to the penumbra's end
   double tolerance = 1e-4;                                ///< 1e-6 to 0.1; see Lookup
-  /// sectors to hold, including two on either side of each place that is read; others may stay dark. If the light
-  /// has a different number of sectors around the axis, all are held
+  /// sectors to hold, including two on either side of each place that is read; the look-up may be dark in all others.
+  /// If the light has another number of sectors around the axis than `sectors.around`, all its sectors are held
   Sectors sectors{};
 };
 
 /// Interpolates refracted light in axis distance, wavelength by wavelength, with a cubic through four places where it
-/// is known. Negative results become 0. For photons, whose rings have a fixed width, the logarithm of the light is
-/// interpolated if all four rings are known to a third or better and lie within a factor of a thousand. For photons,
-/// the cubic also continues across the axis into the opposite sector. Before the first known place, and for half a
-/// spacing beyond the last (up to its ring's outer edge), light is that of the nearest place. Farther out it is 0.
+/// is known. Negative results become 0. If the light was simulated with photons, which are gathered in rings of equal
+/// width, the cubic continues across the axis into the opposite sector. It then interpolates the light's logarithm if
+/// all four rings have relative errors of at most 1/3 and lie within a factor of a thousand. Before the first known
+/// place, and up to half a spacing beyond the last, light is that of the nearest place. Farther out it is 0.
 ///
 /// Accuracy  2e-3 for light that falls by a factor e in two spacings; 1e-5 if the logarithm is interpolated
 class BetweenPlaces {
@@ -72,9 +72,9 @@ class Lookup {
   ///           direct   direct light for the same arrangement
   ///           weights  (channel, wavelength): how much each wavelength counts in each channel
   ///           range    part of the shadow to tabulate; outside it, the outermost values apply up to the penumbra's end
-  /// Accuracy  linear interpolation between nodes errs by less than the tolerance times the brightest channel (each
-  ///           relative to its unshaded sunlight), unless that requires nodes closer than 1 km (250 m if the Sun is not
-  ///           limb-darkened) or more than half a gigabyte
+  /// Accuracy  with each channel relative to its unshaded sunlight, the error of linear interpolation between nodes is
+  ///           less than the tolerance times the brightest channel, unless that requires nodes closer than 1 km (250 m
+  ///           if the Sun is not limb-darkened) or a table larger than half a gigabyte
   /// Throws    Error    if the tolerance is outside its range
   Lookup(const RefractedLight& light, const DirectLight& direct, const ChannelWeights& weights,
          const LookupRange& range = {}, LightPart part = LightPart::all);

@@ -28,9 +28,9 @@ constexpr std::size_t places_at_once = 64;
 /// Number of sectors used for cubic interpolation in position angle: two on either side of a place.
 constexpr std::size_t sectors_about = 4;
 
-/// Offsets and weights for reading the table at a few places.
+/// Offsets and weights for reading the table at a few places. An offset `start` of -1 stands for full sunlight.
 struct Found {
-  std::array<std::array<std::int64_t, places_at_once>, sectors_about> start;  ///< -1 in sunlight
+  std::array<std::array<std::int64_t, places_at_once>, sectors_about> start;
   std::array<double, places_at_once> along, deeper;
   std::array<std::array<double, places_at_once>, sectors_about> share;
 };

@@ -65,7 +65,7 @@ void add(Grids& grids, Grids& rests, const Grids& more, const Grids& more_rests)
     }
 }
 
-/// Ratio of irradiance to unshaded sunlight in a cell, per square metre of unshaded sunlight that lands in the cell.
+/// Ratio of a cell's irradiance to unshaded sunlight, if the cell receives as much light as 1 m² in unshaded sunlight.
 double ratio_per_m2(const PhotonSums& sums, double depth_m, std::size_t ring) {
   const double spread = 1 + depth_m / sums.arrangement.sun_distance_m;
   const double area_m2 = std::numbers::pi * sums.ring_width_m * sums.ring_width_m *
@@ -117,7 +117,7 @@ void fill_line(const RefractedLight& means, std::size_t grid, std::size_t wave,
   for (std::size_t r = 0; r < rings; ++r) line[beyond + r] = ring(grid, r);
 }
 
-/// Whether two rings count as neighbours in the parabola: both are known, and their light differs by a limited factor.
+/// Whether a fit to ln(light) may join two rings: both are known, and their light differs by a factor of e⁴ at most.
 bool linked(const RingLight& a, const RingLight& b) {
   return a.known && b.known && std::abs(a.log_mean - b.log_mean) <= steepest;
 }

@@ -63,7 +63,7 @@ PhotonSums merged(PhotonSums a, const PhotonSums& b);
 /// Mean and standard error of the light in each cell, assigned to the ring's middle. Blocks are independent and
 /// identically distributed. The mean is therefore unbiased, and its standard error follows from the scatter of blocks.
 ///
-///     E/E₀ = (1 + z/D)² Σ / (n A)      Σ = the cell's sum, A = the cell's area, n = number of photons
+///     E/E₀ = (1 + z/D)² Σ / (n A)    Σ, A: sum and area of the cell; n: photons; z, D: distances of plane and Sun
 ///
 /// Returned  light with axis_distances_m at the rings' middles; the standard error equals the ratio (100 %) if there
 ///           are fewer blocks than blocks_for_an_error
@@ -84,13 +84,13 @@ struct PhotonLight : RefractedLight {
 ///
 /// Between the middles, light is interpolated with a cubic in its logarithm (BetweenPlaces). The relative error due to
 /// structure that rings do not resolve is estimated as 3/32 of the fourth difference of ln M, which is four times the
-/// error of a cubic for a smooth curve. The errors at neighbouring rings are added, with their squares counted half,
-/// and the fourth difference that noise alone would cause is subtracted. Rings whose noise exceeds a third of their
+/// error of a cubic for a smooth curve. Half the squares of this error at the two neighbouring rings are added to its
+/// square, and the squares that noise alone would cause are subtracted. Rings whose noise exceeds a third of their
 /// mean, including empty ones, keep their mean. They are not used as neighbours, nor are rings that are 50 times
 /// brighter or darker. If one neighbour is missing, g is a straight line, and the whole correction counts as an error.
 ///
 /// Returned  light with the same axis distances as from means_over_rings
-/// Accuracy  2e-5 for light that falls by a factor e in two ring widths or more; noise grows by 9 %
+/// Accuracy  2e-5 for light that falls by a factor e in two ring widths or more; noise is 9 % above that of the means
 PhotonLight estimated(const PhotonSums& sums);
 
 /// Stopping rule: enough photons are traced when light, weighted over wavelengths, is known to a tolerance in

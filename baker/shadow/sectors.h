@@ -10,8 +10,8 @@ namespace coppermoon::shadow {
 /// Default number of sectors for light that is not symmetric about the axis.
 inline constexpr std::size_t sectors_around = 24;
 
-/// Consecutive sectors, counted from number `first` through east, out of `around` equal sectors of position angle about
-/// the shadow axis. Sector s is centred at 2π s / around.
+/// Consecutive sectors of position angle about the shadow axis: `count` of them, from number `first` on. The circle has
+/// `around` equal sectors, numbered from 0 in the north through east. Sector s is centred at 2π s / around.
 struct Sectors {
   std::size_t around = 1;  ///< number of sectors in the full circle, 1 or more
   std::size_t first = 0, count = around;
@@ -57,7 +57,7 @@ struct Sectors {
                                : Sectors{around, (first + around - 1) % around, count + 2};
   }
 
-  /// These sectors if the full circle is divided into `parts` sectors; otherwise all of a circle's `parts` sectors.
+  /// These sectors if `around` equals `parts`. Otherwise, all sectors of a circle that is divided into `parts` sectors.
   Sectors in(std::size_t parts) const { return parts == around ? *this : Sectors{parts}; }
 };
 

@@ -103,7 +103,7 @@ class Ring {
  private:
   struct InAir {
     Grid<double> spectra;        ///< (absorber, wavelength)
-    Grid<double> filters;        ///< (0 below, 1 above the cloud's top, wavelength)
+    Grid<double> filters;        ///< (layer, wavelength); layer 0 is below the cloud's top
     std::array<bool, 2> dark{};  ///< whether the filter is 0 at all wavelengths
   };
 

@@ -25,15 +25,15 @@ namespace coppermoon::shadow {
 /// Returned  one sector for air without regions, otherwise sectors_around. On the axis at 450 nm, the ratio is 1.6e-7
 ///           in clear air, 3.7e-7 in standard air, and 1.0e-6 under a stratosphere full of ash
 /// Accuracy  1.5 %, compared with this integral and with sasktran2's single scattering on the axis, from clear air to
-///           ash. Only every third belt is used, which saves 0.6 of the time but errs by 2 % (1982, 1991) to 4 % (2022)
+///           ash. Only every third of the air's belts of latitude is used. That saves 0.6 of the time, but errs by
+///           2 % in the air of 1982 and 1991, and by 4 % in the air of 2022
 /// Omits     multiple scattering, which on the axis adds 9 % (420 nm) to 5 % (700 nm) of this light in clear air, 1 %
 ///           more over ground of albedo 0.3, 2 to 11 % with stratospheric aerosol, and 2 to 4 % under ash (by
 ///           sasktran2's discrete ordinates and successive orders); refraction (1 % along the line of sight, 1 % along
-///           sunlight), which makes up 20' of the 57' between the two at 12 km but loses no light; the Sun's radius,
-///           16'; the ellipsoid, which is replaced by a sphere of its mean limb (0.2 %); depolarisation (1 %); forward
-///           peaks sharper than Henyey and Greenstein's; the variation of ω and g with wavelength (5 %; both are for
-///           550 nm); light reflected by ground and cloud, because within 6378 km of the axis only the night side is
-///           seen
+///           sunlight), which loses no light, but causes 20' of the 57' between line of sight and sunlight at 12 km;
+///           the Sun's radius, 16'; the ellipsoid, replaced by a sphere of its mean limb (0.2 %); depolarisation (1 %);
+///           forward peaks sharper than Henyey and Greenstein's; the variation of ω and g with wavelength (5 %; both
+///           are for 550 nm); light from ground and cloud, whose day side is not seen within 6378 km of the axis
 /// Throws    Error           if an argument is outside its range
 RefractedLight twilight(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
                         std::span<const double> wavelengths_nm,
@@ -49,8 +49,8 @@ std::vector<RefractedLight> twilight_in(std::span<const atmosphere::Atmosphere> 
                                         std::span<const double> wavelengths_nm,
                                         std::span<const double> axis_distances_m);
 
-/// Twilight from which `add_between` interpolates the twilight at places in the shadow. It is computed on one middle
-/// plane, at the places' wavelengths and axis distances, or every 5 nm and every 1000 km if that needs fewer.
+/// Twilight on a coarse grid, from which `add_between` interpolates the twilight at the places of `light`. The grid has
+/// one plane, in the middle. It has wavelengths every 5 nm and distances every 1000 km, or those of `light` if fewer.
 ///
 /// Given   light  light at the places, with increasing wavelengths
 ///         airs   as for twilight_in

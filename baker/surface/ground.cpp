@@ -100,7 +100,7 @@ Grid<float> measured(Grid<float> map) {
   return to_the_poles(map);
 }
 
-/// Subtracts their means over the disc from the maps of colour and surge. The weights are A mu f times cell area.
+/// Shifts the maps of colour and surge to make their means over the disc 0, with weights A mu f times cell area.
 void subtract_means(Ground& ground, const Grid<float>& normal_albedo, Photometry photometry) {
   constexpr std::size_t rows = 360;  // rows of half a degree, finer than either map
   double light = 0, colour = 0, surge = 0;

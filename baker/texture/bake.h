@@ -58,7 +58,7 @@ enum class Extent {
 enum class TexelQuantity {
   luminance,    ///< L, in the direction of the Earth
   irradiance,   ///< E / π: luminance of white diffuse ground facing the Sun; 0 on the night side
-  reflectance,  ///< ρ, the radiance factor, if the light is given as the ground's colour
+  reflectance,  ///< ρ, the radiance factor, if `light` is sunlit ground relative to white ground
 };
 
 /// Options for lighting a texture.
@@ -66,8 +66,8 @@ struct Lighting {
   surface::Photometry photometry = surface::Photometry::lommel_seeliger_rolo;
   Extent extent = Extent::whole;
   TexelQuantity quantity = TexelQuantity::luminance;
-  /// For irradiance, the divisors of the light's channels: sunlit ground's light relative to that of white ground. As
-  /// in the light, those for the reddest ground come first if its colour varies. If empty, the divisors are 1.
+  /// For irradiance, divisors for the light's channels: the light of sunlit ground relative to white ground. If the
+  /// ground's colour varies, all divisors for the reddest ground come first, then all for the bluest. Empty means 1.
   std::vector<double> sunlit = {};
 };
 
@@ -80,7 +80,7 @@ struct Lighting {
 Rows lit_rows(const LitSurface& moon, std::size_t rows, const Lighting& lighting = {},
               const algebra::Progress& progress = {});
 
-/// Rows of the normal albedo, resized to the given number of rows. There is one channel, which includes the night side.
+/// Rows of the normal albedo in one channel, resized to the given number of rows. The Moon's night side is included.
 Rows albedo_rows(const algebra::Grid<float>& normal_albedo, std::size_t rows);
 
 }  // namespace coppermoon::texture

@@ -40,7 +40,7 @@ struct Between {
   }
 };
 
-/// Phase factor, interpolated in a table over sin(g/2). The phase g counts as at least the Earth's angular radius.
+/// Phase factor, interpolated in a table over sin(g/2). The phase angle g is at least the Earth's angular radius.
 template <class D, class V = hn::VFromD<D>>
 V phase_factor(D d, const Globe& globe, V cos_phase, V distance_squared, const float* surge) {
   const auto one = hn::Set(d, 1);
@@ -59,8 +59,8 @@ V phase_factor(D d, const Globe& globe, V cos_phase, V distance_squared, const f
   return hn::MulAdd(stronger, between.in(d, globe.surge_factors), mean);
 }
 
-/// Reflected light for albedo 1, relative to white ground; s = n·sun, m = n·moon, and n is the ground's normal. From
-/// the ground, the Sun is √(1 − 2 ρ s + ρ²) and the Earth √(1 + 2 κ m + κ²) times as far as from the Moon's centre.
+/// Reflected light for albedo 1, relative to white ground; n: the normal; s = n·sun, m = n·moon; ρ, κ: lunar radius
+/// over the distances of Sun and Earth. At the ground these are √(1 − 2 ρ s + ρ²) and √(1 + 2 κ m + κ²) times as large.
 template <class D, class V = hn::VFromD<D>>
 V reflected(D d, const Globe& globe, V s, V m, const float* surge) {
   const auto set = [d](double value) { return hn::Set(d, value); };

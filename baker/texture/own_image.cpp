@@ -12,7 +12,7 @@
 namespace coppermoon::texture {
 namespace {
 
-/// Whether an image's header has one of coppermoon's attributes: the recipe in a texture, or the view in a picture.
+/// Whether an image's header has an attribute of coppermoon's: a texture's settings, or a picture's display view.
 bool is_ours(const std::filesystem::path& file) try {
   constexpr std::array<std::string_view, 2> names{"coppermoon:recipe", "coppermoon:view"};
   return std::ranges::any_of(read_attributes(file, names),

@@ -20,7 +20,7 @@ std::string tuple(const glm::dvec3& v) {
 }
 
 /// A USD attribute, as text, with its value at the first moment and, if the value changes, with time samples. The first
-/// value is for importers that ignore time samples, as Blender does for the file of a texture.
+/// value is for importers that ignore time samples, as Blender does for a texture's image file.
 template <class Moment, class Value>
 std::string attribute(const std::string& declared, std::span<const Moment> moments,
                       const Value& value) {

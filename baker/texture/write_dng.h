@@ -18,7 +18,7 @@ struct RawPhotograph {
   algebra::Grid<std::uint16_t> numbers;
   double black_dn = 0, white_dn = 65535;  ///< raw numbers without light and at saturation
   glm::dmat3 camera_from_xyz{
-      1};  ///< from XYZ (D65 white has Y = 1) to raw numbers above black, as shares of saturation
+      1};  ///< matrix from XYZ (D65 white: Y = 1) to raw numbers above black (1 at saturation)
   std::string camera;          ///< model name of the camera
   double focal_length_mm = 0;  ///< above 0
 };

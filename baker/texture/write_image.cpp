@@ -83,7 +83,7 @@ void write_exr(const std::filesystem::path& path, std::span<const Part> parts,
     for (const auto& name : part.left_out) specs.back().erase_attribute(oiio_name(name));
     for (const auto& [name, value] : part.own) set_attribute(specs.back(), name, value);
     if (!part.name.empty()) specs.back().attribute("oiio:subimagename", part.name);
-    if (specs.size() > 1) specs.back().erase_attribute(seal_attribute);  // one fingerprint per file
+    if (specs.size() > 1) specs.back().erase_attribute(seal_attribute);  // kept in first part only
   }
   write_encoded(path, "openexr", [&](OIIO::ImageOutput& output, const std::string& name) {
     bool written = specs.size() == 1

@@ -9,8 +9,8 @@
 
 namespace coppermoon::texture {
 
-/// Path of the Moon's picture in Stellarium's folder. The file is a PNG that includes the recipe. Stellarium expects
-/// this name, but recognises the format from the contents.
+/// Path of the Moon's picture in Stellarium's folder. The file is a PNG that includes the settings used. Stellarium
+/// expects this name, but recognises the format from the contents.
 inline constexpr const char* stellarium_picture = "textures/moon_4k.jpg";
 
 /// Moment and place with which Stellarium starts.

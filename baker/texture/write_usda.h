@@ -8,9 +8,9 @@
 namespace coppermoon::texture {
 
 /// Writes a USD text file (.usda), whole or not at all, that puts a scene-linear texture on the sphere from
-/// sphere_mesh, of radius 1. It has the default prim `Moon`, Y up, and one metre per unit. The ground emits light and
-/// reflects nothing, both as UsdPreviewSurface and as MaterialX's standard surface. The layer's customLayerData hold
-/// the Moon's true radius [m].
+/// sphere_mesh, of radius 1. It has the default prim `Moon`, Y up, and one metre per unit. The Moon's material emits
+/// light and reflects nothing, both as UsdPreviewSurface and as MaterialX's standard surface. The layer's
+/// customLayerData hold the Moon's true radius [m].
 ///
 /// Given   texture_file_name  name of a file in the same folder; not a path
 ///         colour_space       colour space of the texture, lin_rec709_scene or lin_ap1_scene

@@ -69,7 +69,7 @@ class Archive {
  private:
   static constexpr std::uint16_t version = 10, first_day_of_zip = 0x0021;  // stands for 1980-01-01
 
-  /// Fields that are equal in a file's header and in its directory entry: those up to the length of the file's name.
+  /// Fields that are equal in a file's header and in its directory entry. The last is the length of the file's name.
   static std::string facts_of(const std::string& name, const std::string& content) {
     const auto size = static_cast<std::uint32_t>(content.size());
     const auto sum = ::crc32_z(0, reinterpret_cast<const Bytef*>(content.data()), content.size());

@@ -9,8 +9,8 @@
 namespace coppermoon::texture {
 
 /// Writes the Moon as one USD package (.usdz), whole or not at all, for viewers and phones that cannot read EXR. It
-/// holds the sphere from sphere_mesh, of radius 1, with the picture on it as an 8-bit PNG. The ground is a
-/// UsdPreviewSurface that emits light and reflects nothing. The same input gives the same bytes.
+/// holds the sphere from sphere_mesh, of radius 1, with the picture on it as an 8-bit PNG. The Moon's
+/// material is a UsdPreviewSurface that emits light and reflects nothing. The same input gives the same bytes.
 ///
 /// Given   developed  as for write_glb
 /// Throws  Error      as for write_glb

@@ -146,7 +146,7 @@ uses::Exposures shared_exposures(const Options& options, const std::vector<Job>&
   return shared.exposures();
 }
 
-/// Exposure with which all frames are developed. `a_cameras` is set if all frames are exposed as by a camera.
+/// Exposure for developing all frames. Its flag `a_cameras` is true if every frame is exposed like a photograph.
 uses::Exposures exposures_of(const Options& options, const std::vector<Job>& jobs) {
   auto exposures = shared_exposures(options, jobs);
   exposures.a_cameras = std::ranges::all_of(

@@ -5,11 +5,11 @@
 Usage: make_stars.py [folder of the catalogues] [stars.bin]
 
 It keeps stars down to V = 9.0 within 10 degrees of the ecliptic, where the Moon always is, and to 6.5 elsewhere.
-The package's copyright file says that the data come from the Hipparcos Catalogue (ESA, 1997, SP-1200; 3.1), the Tycho-2
-Catalogue (Hog et al., 2000; 3.6) and the Naval Observatory Merged Astrometric Dataset NOMAD 1 (U.S. Naval
-Observatory; 3.7: free to distribute if source, name and changes are stated). The changes: magnitudes and colours are
-rounded, and Stellarium's authors computed those that a catalogue lacked; positions are rounded to 0.0003 arcseconds;
-some stars are left out. Stars without a Hipparcos number have no proper motion.
+Sections 3.1, 3.6 and 3.7 of the package's copyright file name the sources: Hipparcos Catalogue (ESA, 1997, SP-1200),
+Tycho-2 Catalogue (Hog et al., 2000) and Naval Observatory Merged Astrometric Dataset NOMAD 1 (U.S. Naval
+Observatory), which is free to distribute if source, name and changes are stated. The changes: magnitudes and colours
+are rounded, and Stellarium's authors computed those that a catalogue lacked; positions are rounded to 0.0003
+arcseconds; some stars are left out. Stars without a Hipparcos number have no proper motion.
 
 A star takes 16 bytes, little-endian: right ascension and declination (ICRS, epoch and equinox 2000.0), in units of
 2^-32 of a full turn, 4 bytes each; proper motion east and north, in units of 0.01 mas a year, 3 bytes each; then

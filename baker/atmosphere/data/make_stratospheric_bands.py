@@ -4,7 +4,7 @@
 
 Usage: make_stratospheric_bands.py FOLDER [stratospheric_bands.csv] [stratospheric_shapes.csv]
 
-FOLDER holds these tables, as CSV with lines of `#` before the header:
+FOLDER holds these CSV tables. Comment lines that begin with `#` may precede the header:
   glossac_v1_saod1020_bands_monthly_1979_2016.csv  year,month,b90S-60S,...,b60N-90N,global_80S_80N: optical depth at
       1020 nm (GloSSAC 1; Thomason et al. 2018, Earth Syst. Sci. Data 10, 469)
   global_monthly_glossac_1979_2024_igcc_plot.csv   year,month,saod_550nm: global mean (GloSSAC 2.23, through the
@@ -14,9 +14,9 @@ FOLDER holds these tables, as CSV with lines of `#` before the header:
   msvolso2l4_v4_explosive_1979_2024.csv            volcano,year,month,day,lat,height_km,so2_kt,vei (Carn, MSVOLSO2L4)
 
 Optical depths of the bands were measured until 2016, the global mean until 2024. The rest comes from EVA_H (Aubry et
-al. 2020, J. Geophys. Res. 125, e2019JD031303, version 2). In this model, eruptions put sulphur dioxide into eight
-boxes, which gives the heights of aerosol above the background and, from 2017 on, its bands. The aerosol of Hunga
-(January 2022) is the remainder of the measured global mean, divided among the bands as published.
+al. 2020, J. Geophys. Res. 125, e2019JD031303, version 2), in which eruptions put sulphur dioxide into eight boxes of
+latitude and height. The model divides the aerosol above the background among heights and, from 2017 on, among bands.
+The aerosol of Hunga (January 2022) is the remainder of the measured global mean, divided among the bands as published.
 """
 import csv
 import sys
@@ -115,7 +115,7 @@ def sulphate(eruptions):
 
 
 def by_band(shapes):
-    """Depths [band][box] and profiles [band][box][height, 1/km] if a box has a mean depth of 1, and heights [km]."""
+    """For boxes of mean optical depth 1: depths [band][box], extinctions in 1/km [band][box][height]; heights in km."""
     latitudes, heights = (sorted({float(row[key]) for row in shapes}) for key in ("lat", "z_km"))
     extinction = np.zeros((len(BANDS), 8, len(heights)))
     weights = np.zeros(len(BANDS))

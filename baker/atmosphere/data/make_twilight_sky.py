@@ -258,7 +258,7 @@ def bends(x):
 
 
 def smoothed(values, noise):
-    """Smooths logarithms [altitude, Sun] with standard errors `noise`, to second differences of a few hundredths."""
+    """Smooths log10 of light [altitude, Sun]; expects errors `noise`, second differences 0.04 (altitude) and 0.02."""
     x = np.cumsum(np.append(0, np.diff(np.log(ALTITUDES + 1.5))))
     down, along = bends(x / np.diff(x).mean()), bends(SUNS)
     stiff = (np.kron(down.T @ down, np.eye(len(SUNS))) / 0.04**2 + np.kron(np.eye(len(ALTITUDES)), along.T @ along) / 0.02**2)
@@ -266,7 +266,7 @@ def smoothed(values, noise):
 
 
 def without_noise(light, least):
-    """Smoothed logarithms of the runs' mean light [altitude, Sun, azimuth, channel]. Azimuths agree at the zenith."""
+    """Smoothed log10 of the runs' mean light [altitude, Sun, azimuth, channel]; at the zenith, all azimuths agree."""
     mean = light.mean(0)
     noise = light.std(0, ddof=1) / mean / np.sqrt(len(light)) / np.log(10)
     noise = np.maximum(np.sqrt((noise**2).mean((2, 3))), least)

@@ -13,8 +13,8 @@ namespace coppermoon::texture {
 /// Reads the first header and data unit of a file. It must have two axes, or a third one of length 1 or 3 (red, green
 /// and blue). The top row comes first, whichever row ROWORDER says is first in the file. The numbers are light:
 ///
-///     BZERO + BSCALE n      for integers in steps of one, divided by the format's largest value,
-///                           so that unsigned integers become 0 to 1; NaN if n is BLANK
+///     BZERO + BSCALE n      NaN if n is BLANK. Integers with BSCALE 1 are divided by the largest value
+///                           of their format, so that unsigned integers become 0 to 1
 ///
 /// Attributes have EXIF's names: time of exposure (EXPTIME, else EXPOSURE) [s], f-number (FOCRATIO), ISO speed
 /// (ISOSPEED), date (DATE-OBS, with TIME-OBS if DATE-OBS is only a day). TIMESYS, the time scale of the date, is always

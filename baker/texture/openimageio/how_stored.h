@@ -24,8 +24,8 @@ struct Storage {
 
 /// Reads the properties in Storage from the header of an open image.
 ///
-/// Throws  Error  when a property cannot be honoured; the message gives the path and the tag's name. This concerns
-///                photometric interpretations other than grey, RGB, YCbCr, palettes and CMYK; a page that is a
+/// Throws  Error  when a property cannot be honoured; the message gives the path and the tag's name. Such properties
+///                are photometric interpretations other than grey, RGB, YCbCr, palettes and CMYK; a page that is a
 ///                thumbnail; a raw file named .tif; a transfer function or primaries other than Rec. 709 in a TIFF; an
 ///                offset from GDAL; a broken colour profile; the curves of PQ and HLG
 Storage storage_of(const std::filesystem::path& path, const OIIO::ImageInput& input);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The program's definitions of all functions that need OpenImageIO. The first call of any of them loads OpenImageIO,
-// which takes 0.2 s. In linking, these definitions come before the library, so that its own definitions are left out.
+// which takes 0.2 s. At link time, these definitions come before the library's, which are therefore left out.
 #include <tbb/parallel_for.h>
 
 #include <cstddef>
@@ -42,7 +42,7 @@ fs::path module_file() {
 /// Throws  std::bad_alloc
 void require_addresses() {
   constexpr std::size_t taken =
-      512U << 20U;  // the 269 libraries of Debian 12 take 474 MB, the 296 of Debian 13 take 484 MB
+      512U << 20U;  // the module's 269 libraries take 474 MB in Debian 12; 296 take 484 MB in 13
   if (!files::has_addresses(taken)) throw std::bad_alloc();
 }
 

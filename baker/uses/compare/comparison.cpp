@@ -203,7 +203,7 @@ double fitted_exposure(const Pixels& pixels) {
   return median(ratios);
 }
 
-/// Light of a render as a camera writes it, in linear Rec.709.
+/// Light of a rendered pixel after a camera's colour conversion, in linear Rec.709.
 glm::dvec3 written(const CameraColours& colours, const glm::dvec3& rgb) {
   const auto xyz = xyz_from_rgb() * rgb;
   const auto by = rec709_by(colours, std::array{xyz.x, xyz.y, xyz.z}, 0);
@@ -215,10 +215,10 @@ constexpr double step_of_light = 0.1;  // step of the logarithm of light
 /// Pixels whose rendered light in one channel lies within the same step.
 struct LightStep {
   std::vector<double> displayed;
-  double of_red = 0, of_blue = 0;  ///< sums of the shares of light from the camera's red and blue
+  double of_red = 0, of_blue = 0;  ///< sums over pixels of (light from camera red or blue) / light
 };
 
-/// Pixels sorted by steps of rendered light. Keys are the logarithm of light in steps, and the channel.
+/// Pixels grouped by rendered light, in steps of its logarithm. A key is the number of the step, and the channel.
 std::map<std::pair<long, int>, LightStep> light_steps(const Pixels& pixels,
                                                       const CameraColours& colours) {
   std::map<std::pair<long, int>, LightStep> steps;
@@ -239,7 +239,7 @@ std::map<std::pair<long, int>, LightStep> light_steps(const Pixels& pixels,
   return steps;
 }
 
-/// Converts the photograph's displayed values to scene-linear light, and the render to the light that a camera writes.
+/// Converts the photograph's displayed values to scene-linear light, and gives the render the camera's colours.
 void undo(const CameraWriting& writing, Pixels& pixels) {
   const colour::ToneTable table(writing.curve);
   for (auto& pixel : pixels) {

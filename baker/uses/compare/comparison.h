@@ -36,7 +36,7 @@ struct SharedPixel {
 };
 
 /// Difference between a photograph and a render, without pixels that are clipped. If more than half of the
-/// photograph's pixels are black, the optional values are left empty, because the mean would be too bright.
+/// photograph's pixels are black, the optional values are left empty, because noise cut off at black brightens means.
 struct Difference {
   double from_km = 0, to_km = 0;  ///< range of distances from the shadow's axis
   std::size_t pixels = 0;         ///< number of pixels that are not clipped
@@ -85,10 +85,10 @@ struct CameraWriting {
 
 /// Fits a camera's tone curve and its gains of red and blue to pixels as displayed.
 ///
-/// The exposure is free. The logarithms of the gains have an error of 0.3 about the given values. Light has an error of
-/// 3 % in each step of the render's light. Levels outside colour::least_displayed to most_displayed are ignored. The
-/// curve absorbs errors of the render in bright and dark parts, within the range of real cameras. The gains absorb the
-/// reddening by the observer's air.
+/// The exposure is free. The priors of the gains are the given values, with a standard deviation of 0.3 in ln(gain).
+/// Pixels are grouped in steps of the render's light, and each step's median has an error of 3 %. Levels outside
+/// colour::least_displayed to most_displayed are ignored. The curve absorbs errors of the render in bright and dark
+/// parts, within the range of real cameras. The gains absorb the reddening by the observer's air.
 ///
 /// Throws  Error  when there are fewer than three steps of light
 CameraWriting fitted_writing(const std::vector<SharedPixel>& pixels, const CameraColours& colours);
@@ -99,7 +99,7 @@ struct Comparison {
   double exposure, fitted_exposure;     ///< pixel value for 1 cd/m², as used and as fitted
   std::vector<Difference> differences;  ///< result of differences()
   texture::Image
-      render;  ///< render with glow, at the exposure used, as the camera writes it, in linear Rec.709
+      render;  ///< render with glow, at the exposure used, in the camera's colours, linear Rec.709
   std::optional<CameraWriting> writing{};  ///< the camera's tone curve and gains, if fitted
 };
 

@@ -38,7 +38,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Number of wavelengths, and number of terms for the Sun's disc, with which the page computes light.
+/// Number of wavelengths with which the page computes light, and of terms for the Sun's brightness across its disc.
 constexpr int bands = 40, sun_terms = 3;
 
 /// Time that the page covers before the first contact and after the last [s].
@@ -225,7 +225,7 @@ ordered_json add_sky(PageArrays& arrays, almanac::SkyState sky) {
           {"moonV", moon_V}};
 }
 
-/// Along each axis, a view's table has equal steps of log2(1 + gain x) / stops from 0 to 1. x is a colour channel.
+/// Nodes per axis of a display view's table, at equal steps of log2(1 + gain x) / stops from 0 to 1; x: channel value.
 constexpr int table_size = 33;
 constexpr double table_gain = 1024, table_stops = 17;
 
@@ -293,7 +293,7 @@ ordered_json contacts_in_ms(const eclipse::Eclipse& eclipse) {
   return all;
 }
 
-/// Clearness of the air for each step of Danjon's scale. The list is empty if the air has no latitude belts.
+/// Change of cloud and aerosol (`cleared`) for each step of Danjon's scale; empty if the air does not vary by latitude.
 ordered_json danjon_steps(const atmosphere::Atmosphere& air, const almanac::SkyState& sky) {
   ordered_json steps = ordered_json::array();
   if (air.belts.empty()) return steps;

@@ -45,7 +45,7 @@ nlohmann::ordered_json add_limb_rays(PageArrays& arrays, const atmosphere::Atmos
 ///                aerosol of the given air, the second for none, and the others for aerosol_steps. Distances from the
 ///                axis are 2000 km apart. Every other wavelength is computed, and the rest are interpolated
 ///
-/// Given  arrangement  has a single plane
+/// Given  arrangement  has one element in depths_m, the depth at which light is computed
 void add_scattered_light(PageArrays& arrays, const atmosphere::Atmosphere& atmosphere,
                          const shadow::Arrangement& arrangement,
                          std::span<const double> wavelengths_nm);

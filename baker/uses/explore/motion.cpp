@@ -24,7 +24,7 @@ using std::numbers::pi;
 
 constexpr int nodes = 14;
 
-/// Names of the series, and the number of components in each.
+/// Names of the quantities that are expanded in Chebyshev series in time, and the number of components of each.
 const std::vector<std::pair<const char*, int>> parts{
     {"centre", 3}, {"sunDistance", 1}, {"moonFrame", 9}, {"equatorFrame", 9}};
 

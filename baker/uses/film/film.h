@@ -20,7 +20,7 @@ namespace coppermoon::uses {
 /// File-name stem of the numbered textures that POV-Ray reads.
 inline constexpr const char* texture_stem = "moon_lin_rec709";
 
-/// Kinds of files to make for each frame. If none is chosen, only the film's light is computed.
+/// Kinds of files to make for each frame. If none is chosen, only light in the Earth's shadow is computed.
 struct Products {
   bool light = false, textures = false, scenes = false, frames = false, pictures = false;
   bool mipmapped = false;   ///< whether textures are tiled, mip-mapped .tx files

@@ -67,7 +67,7 @@ struct CurvePoint {
 
 using Curve = std::vector<CurvePoint>;
 
-/// Light curve for the given frames, computed from the film's light.
+/// Light curve for the given frames, from the light in the Earth's shadow that all frames of the film share.
 ///
 /// Accuracy  5e-4 in magnitude and in relative luminance, compared with brightness_of, which simulates each moment
 ///           separately and uses twice as many rows

@@ -55,7 +55,7 @@ std::string contents_of(const Film& film, const fs::path& file) {
   return film.record.foreign_contents(file);
 }
 
-/// Existing files of the film's light and scene, which making the film would overwrite. Frames are not included.
+/// Existing files, other than frames, that making the film would overwrite: the shadow's light and POV-Ray's scene.
 std::vector<fs::path> files_beside_frames(const Film& film) {
   std::vector<fs::path> files{film.folder / light_file};
   if (film.products.scenes)
@@ -66,7 +66,7 @@ std::vector<fs::path> files_beside_frames(const Film& film) {
 }
 
 /// Describes a light or scene file that is a link or was not written by coppermoon. The text is empty for any other
-/// file. Another film's light is refused by film_light instead.
+/// file, including a light file of another film, which film_light refuses.
 std::string contents_beside_frames(const fs::path& file) {
   if (fs::is_symlink(file)) return "a link";
   const bool ours = file.filename() == light_file ? is_light(file) : files::is_stamped(file);

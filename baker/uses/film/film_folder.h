@@ -23,7 +23,7 @@ class FilmClaim {
 /// Refuses a folder in which a file has the name of one of this film's files but belongs to another film or to none, is
 /// a link, or is a scene that the user has changed.
 ///
-/// Given   replace  whether to accept such a folder; links, and frames that this film does not have, are removed
+/// Given   replace  whether to accept the folder and remove each such file that is a link or no frame of this film
 /// Throws  Error    when there is such a file; names the first one and says what it contains
 void require_own(const Film& film, bool replace);
 

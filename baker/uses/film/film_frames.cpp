@@ -46,13 +46,13 @@ BakedMoon texture_of(const Film& film, const LitMoon& lit, std::size_t frame) {
   const auto extent =
       film.products.textures ? texture::Extent::whole : texture::Extent::seen_from_earth;
   auto content = film.content;
-  if (film.products.framed()) {  // because POV-Ray reads the texture
+  if (film.products.framed()) {  // POV-Ray reads textures in this space, without passes
     content.space = picture_space;
     content.passes = false;
   }
   auto header = header_of(film, frame);
   auto moon = baked(lit, content, {.extent = extent, .recipe = [](const auto&, const auto&) {
-                                     return std::string();  // the film's recipe is in the header
+                                     return std::string();  // `header` has the settings already
                                    }});
   for (const auto& [name, value] : header) moon.attributes[name] = value;
   moon.attributes["framesPerSecond"] =
@@ -176,7 +176,7 @@ void render(const Film& film, Frames frames, int threads, const WhenMade& when_m
     } else {
       texture::write_exr(path, moon.parts, moon.attributes, {.packed = false});
     }
-    moon.parts.clear();  // the parts are written already, and would keep the light in memory
+    moon.parts.clear();  // the texture is written; this frees the look-up tables in its parts
     sequence.cameras.push_back(scene.view.camera);
     lights.push_back(sky_lights(scene.view, scene.moon.sky));
   }

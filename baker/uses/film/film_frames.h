@@ -33,7 +33,7 @@ struct FilmEvents {
   std::function<void(const MadeFrame& frame)> made = {};  ///< called for a new frame, on any thread
 };
 
-/// The film with its ground set, and with its albedo at the textures' resolution, so that no frame has to resize it.
+/// Adds to a film the Moon's maps of albedo (at the textures' resolution, so no frame resizes it), colour and surge.
 ///
 /// Throws  Error  as normal_albedo
 Film with_ground(Film film);

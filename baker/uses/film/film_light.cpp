@@ -34,7 +34,7 @@ Purpose purpose_of(const Film& film) {
   return {width * width / 2, reads_map(film.moon)};
 }
 
-/// Adds to a request the photon sums that shards of the film have written into a folder.
+/// Adds a folder's .sums files to a request. Each of them holds the summed light of one shard of the film's photons.
 LightRequest with_shards(LightRequest request, const std::filesystem::path& folder) {
   if (!wants_photons(request)) return request;
   if (request.solver == Solver::automatic) request.solver = Solver::table;
@@ -45,8 +45,8 @@ LightRequest with_shards(LightRequest request, const std::filesystem::path& fold
   return request;
 }
 
-/// Differences between the light in the folder and the requested light. Empty if `asked` equals either the
-/// request stored with the light or the recipe of its planned run.
+/// Differences between the settings stored with known light and the requested ones. Empty if `asked` equals the stored
+/// settings, either as they were requested or with those that the program's planner chose.
 std::vector<request::Difference> differences_of(const KeptLight& known,
                                                 const request::Recipe& asked) {
   const auto there = light_key_in(known.key);
@@ -54,7 +54,7 @@ std::vector<request::Difference> differences_of(const KeptLight& known,
   return request::differences(there, asked);
 }
 
-/// The light in the film's folder, if it is complete. Another film's light is refused, or ignored if `replace` is true.
+/// Reads eclipse.light in the film's folder, if complete. Another film's file is refused, or ignored with `replace`.
 std::optional<Moonlight> kept_on_the_way(const Film& film, const ShadowedMoon& moon, bool replace) {
   auto known = read_light(film.folder / light_file);
   if (!known) return std::nullopt;

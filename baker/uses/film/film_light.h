@@ -10,7 +10,7 @@
 
 namespace coppermoon::uses {
 
-/// Name of the file in a film's folder that holds the film's light.
+/// Name of the file, in a film's folder, with the light in the Earth's shadow that all frames of the film share.
 inline constexpr const char* light_file = "eclipse.light";
 
 struct FilmLight {
@@ -18,12 +18,12 @@ struct FilmLight {
   bool kept = false;  ///< whether the light was read from the film's folder
 };
 
-/// The film's light, read from `eclipse.light` in its folder if complete, otherwise computed and written there. If
-/// several processes need the light, one computes it and the others wait. Photons that shards have traced are used.
+/// Light in the Earth's shadow, read from `eclipse.light` in the film's folder if complete, otherwise computed and
+/// written there. Only one process computes the light; others wait for it. Photons that shards have traced are used.
 ///
-/// Given   film      complete except for its light and albedo; its folder must exist
-///         replace   whether another film's light may be replaced
-/// Throws  Error     as moon_on_its_way, read_light, write_light; if the file has other moments or another `light_key`
+/// Given   film      `light`, `albedo` and `ground` may be empty; the folder must exist
+///         replace   whether a file of another film may be replaced
+/// Throws  Error     as moon_on_its_way, read_light, write_light; if the file is another film's and `replace` is false
 FilmLight film_light(const Film& film, bool replace = false,
                      const algebra::Progress& progress = {});
 
@@ -32,10 +32,10 @@ FilmLight film_light(const Film& film, bool replace = false,
 /// Throws  Error  as film_light
 std::optional<Moonlight> kept_light(const Film& film, bool replace = false);
 
-/// File in the film's folder for the sums over one shard of the film's photons, such as "eclipse.2-of-8.sums".
+/// File in the film's folder for the summed light of one shard of its photons, such as "eclipse.2-of-8.sums".
 std::filesystem::path sums_file(const Film& film, const Shard& shard);
 
-/// Traces one shard of a film's photons, and writes their sums to sums_file, which film_light will read.
+/// Traces one shard of a film's photons, and writes the sums of their light to sums_file, for film_light to read.
 ///
 /// Throws  Error  as film_light; when the film's request does not give the number of photons
 void trace_shard(const Film& film, const Shard& shard, const algebra::Progress& progress = {});

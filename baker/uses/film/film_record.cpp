@@ -26,7 +26,7 @@ constexpr const char *recipe_attribute = "coppermoon:recipe",
                      *view_attribute = "coppermoon:view_contents",
                      *view_contents_name = "view-contents";
 
-/// A recipe to which the program's version and the fingerprints of the map and the view are added as settings.
+/// The given settings, with the program's version and fingerprints of the albedo map and the display view added.
 Recipe account_of(const Recipe& recipe, std::string_view version, const std::string& map,
                   const std::string& view) {
   const auto setting = [](const char* name, std::string_view text, Affects affects) {
@@ -50,7 +50,7 @@ Recipe planned_account(const FilmRecord& record) {
   return account_of(planned_recipe(record), version(), record.map_contents, record.view_contents);
 }
 
-/// The recipe in a file's header, as completed by account_of. It is empty if the header has no readable recipe.
+/// The settings in a file's header, as completed by account_of. Empty if the header has no readable settings.
 ///
 /// Throws  Error  when the file is not an image
 Recipe account_in(const std::filesystem::path& file) {

@@ -26,7 +26,7 @@ struct FilmRecord {
   /// Header attributes of the files that are made from many frames, such as a contact sheet.
   texture::Attributes film_header() const;
 
-  /// The settings that the light depends on, except for the time. They are as requested, before any planning.
+  /// The requested settings on which the light depends, except the time. Numbers chosen by the program are left out.
   request::Recipe light_key() const;
   /// Text that distinguishes this film from others, whatever products are made.
   std::string film_key() const;
@@ -35,8 +35,8 @@ struct FilmRecord {
   bool made_alike(const std::filesystem::path& file) const;
   /// Whether a linear frame's pixels were made with this film's settings. Its exposure may differ.
   bool shows_the_same(const std::filesystem::path& frame) const;
-  /// Describes the contents of a file that does not belong to this film. The text is empty if the file does belong to
-  /// it, or is damaged. Planned settings are not compared.
+  /// Describes the contents of a file that does not belong to this film. The text is empty if the file belongs to the
+  /// film or is damaged. Settings that the program can plan, or from which it plans (tolerance), are not compared.
   std::string foreign_contents(const std::filesystem::path& file) const;
 };
 

@@ -28,7 +28,7 @@ struct PhotometricErrors {
   std::optional<double> value_per_cd_m2 = {};  ///< pixel value for 1 cd/m², if known
   double exposure_error = 0.1;  ///< standard error of a night's ln(exposure); 10 if unknown
   double shutter_error =
-      0.03;  ///< standard error of a photograph's ln(exposure), relative to the night's others
+      0.03;  ///< standard error of ln(exposure) of one photograph relative to others of the night
   double white_balance_error = 0.03;  ///< standard errors of ln(red / green) and ln(blue / green)
   /// Whether all photographs of a night have the same white-balance error, because the balance was fixed or recorded.
   bool white_balance_shared = false;

@@ -62,8 +62,8 @@ struct Possible {
   double from_s, to_s;
 };
 
-/// Largest clock correction to try, not counting whole half hours [s]. It is 0 if the clock's error is so small that
-/// light changes linearly within it.
+/// Largest clock correction to try [s], apart from the whole half hours that a wrong time zone adds. It is 0 if the
+/// clock's error is so small that light changes linearly within it.
 double farthest_clock_s(const FitRequest& request) {
   constexpr double linear_s = 300, errors = 3;  // light changes linearly within linear_s
   const double error_s = request.clock_error_s;
@@ -76,7 +76,7 @@ eclipse::Contacts contacts_of(const FitRequest& request) {
       .contacts;
 }
 
-/// Range of clock corrections to search. If half_hours_free, it puts as many photographs as possible in the eclipse.
+/// Range of clock corrections to search. With half_hours_free, both ends put the most photographs in the eclipse.
 Possible possible_clocks(const FitRequest& request) {
   if (!request.half_hours_free) return {-farthest_clock_s(request), farthest_clock_s(request)};
   constexpr int farthest = 52;  // in half hours; time zones differ by up to 26 hours

@@ -69,8 +69,8 @@ bool clock_is_free(const FitRequest& request);
 /// Sky states from a request's first photograph to its last, or over the whole eclipse if the times are uncertain.
 std::vector<almanac::SkyState> skies_of(const FitRequest& request);
 
-/// Clock correction that puts the computed shadow where the photographs of a night, or six of them, show it. If times
-/// may be wrong by half hours, a search in steps of half an hour precedes that of the other scanned_clock. If the clock
+/// Clock correction that puts the computed shadow where the photographs of a night (at most six are used) show it. If
+/// an unknown time zone may shift times by half hours, steps of half an hour are tried before finer ones. If the clock
 /// needs no search (clock_is_free) or no photograph can be registered, the correction is 0, with the request's error.
 ///
 /// Throws  Error  when times may be wrong by half hours but no correction puts the photographs within an eclipse

@@ -35,7 +35,7 @@ struct Misfit {
 ///
 /// The noise of a measurement has three parts. The first is the noise of its pixels. The second is the error of the
 /// Moon's map, 1.2 % in each square of 200 km, or about 0.3 % in a bin. The third is the error of the computed light,
-/// which nearby bins share: 0.05 % of the light and 0.02 % of the light in the bin's brightest channel. The nuisance
+/// which nearby bins share: 0.1 % of the light and 0.02 % of the light in the bin's brightest channel. The nuisance
 /// parameters come from nuisances_of.
 class ComparedNight {
  public:

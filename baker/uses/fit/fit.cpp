@@ -115,8 +115,8 @@ struct NightOf {
   std::vector<Again> turns{};
 };
 
-/// Fits the air to nights and magnitudes. If the result shows that a night should be processed again (see why_again),
-/// the night is processed and the air is fitted again.
+/// Fits the air to the photographs of several nights and to magnitudes. If the result shows that a night's photographs
+/// should be processed again (see why_again), they are processed and the air is fitted again.
 AirFit fitted(std::vector<NightOf>& nights, const std::vector<DataSet>& magnitudes, Steps& steps) {
   auto progress = steps.next();
   for (int turn = 0;; ++turn) {

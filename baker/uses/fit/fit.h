@@ -48,8 +48,8 @@ struct FitRequest {
   /// photographs with a camera's own tone curve it is 0.06 if the header has the white-balance gains as shot and the
   /// camera's filters are known, 0.2 if only the gains are known, else 0.3.
   std::optional<double> white_balance_error = {};
-  /// Relative error of light due to weather along 30 degrees of the Earth's limb, in typical air, 0 to 1. If absent, it
-  /// is 0.2 for raw files and for JPEGs straight from a camera, else 0.
+  /// Relative error, 0 to 1, of the light from each 30 degrees of the Earth's limb. It is due to unknown weather, and
+  /// applies to typical air. If absent, it is 0.2 for raw files and for photographs whose tone curve is fitted, else 0.
   std::optional<double> weather_error = {};
   /// Standard error of each camera's clock [s], 0 (exact) to 3600. If it exceeds 300, corrections of up to three times
   /// this error are tried.
@@ -80,7 +80,7 @@ enum class Again {
   no,            ///< no reason, because nothing would change
   in_its_air,    ///< photographs were registered with the assumed air, not with the fitted air
   by_its_curve,  ///< photographs were read with a tone curve that has since changed
-  nearby         ///< light was computed at nodes that are too far from the fitted air
+  nearby         ///< the fitted air is not well within the range for which light was computed
 };
 
 /// What the fit found about one night's camera and photographs.
@@ -90,7 +90,7 @@ struct FittedNight {
   /// Camera response: the one requested, else the camera's own if it is known, else the default for such files.
   std::optional<std::string> response;
   std::optional<colour::ToneCurve> curve;
-  std::vector<MeasuredLight> light;  ///< measured light, in order of distance from the axis
+  std::vector<MeasuredLight> light;  ///< measured light, by distance from the shadow's axis
   std::vector<Misfit> misfits;       ///< misfits, with indices of photographs in the request
   std::vector<Again> turns;          ///< reason for each time that the night was processed again
   std::vector<std::string> files;    ///< file names of the night's photographs

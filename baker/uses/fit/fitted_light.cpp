@@ -28,7 +28,7 @@ std::vector<double> even_on_scale(const std::array<double, 2>& range, double sca
 /// 4e-4 for dust up to 3e-6 per metre, 1e-3 up to 8e-6, 5e-3 up to 1.5e-5, and 2e-2 beyond.
 constexpr double scale_of_dust_per_m = 2e-6;
 
-/// The `scale` of `smooth` for stratospheric aerosol: the vertical optical depth with which a grazing ray's is about 1.
+/// Scale of `smooth` for stratospheric aerosol: vertical optical depth that gives a grazing ray a depth of about 1.
 constexpr double scale_of_depth = 0.015;
 
 /// Scale of `smooth` for factors on the chance of cloud.
@@ -67,11 +67,11 @@ std::vector<double> some(const std::vector<double>& all, std::span<const std::si
 
 /// Nodes at which light is computed, over the given range; if absent, over the whole range of the unknowns.
 ///
-/// If `airs` is fine, there are three values of ozone. The first value has all nodes of aerosol and cloud. The other
-/// two have only some, because the ratio of light at two values of ozone is smoother than light itself. For amounts,
-/// they have five nodes of dust. Between these nodes, relative errors at 100 and 350 DU are 8e-4 for dust up to 3e-6
-/// per metre, 1.4e-3 up to 8e-6, and 3e-3 up to 1.5e-5. Near 280 DU they are 0. If a range is given, steps of aerosol
-/// and cloud are at most a third as long, so the errors of cubics are a hundred times smaller.
+/// Fine nodes have three values of ozone. At the first value, there are nodes for all values of aerosol and cloud. At
+/// the other two, some are left out, because the ratio of light at two values of ozone is smoother than light itself.
+/// If the unknowns are amounts, five of ten values of dust remain. Light then has relative errors, at 100 and 350 DU of
+/// ozone, of 8e-4 for dust up to 3e-6 per metre, 1.4e-3 up to 8e-6, and 3e-3 up to 1.5e-5. At 280 DU it has none. Nodes
+/// over a narrow range are closer together, so that cubic interpolation has smaller errors.
 std::vector<InOzone> nodes_of(Unknowns unknowns, FittedAirs airs, double aerosol_scale,
                               const std::optional<AirRange>& range) {
   using Which = std::vector<std::size_t>;

@@ -9,21 +9,21 @@
 
 namespace coppermoon::uses {
 
-/// How densely nodes cover the range of air. Coarse nodes are for finding a clock's error: there are few values of
-/// aerosol and cloud, one of ozone, and no scattered light.
+/// How densely nodes cover the range of the air's unknowns. Coarse nodes are for a rough fit, for example to find a
+/// camera clock's error. They have few values of aerosol and cloud, one value of ozone, and no scattered light.
 enum class FittedAirs { fine, coarse };
 
 /// Light of the Moon on its way through the shadow, averaged over bins, for any values of the unknowns of the air. It
 /// is interpolated between nodes, at which light_in_bins computes it.
 ///
 /// Nodes cover all or part of the range of each unknown. Between nodes, the logarithm of light is interpolated by
-/// cubics in aerosol and parabolas in ozone. Under a partial deck of cloud, light is the weighted mean of clear and
-/// cloudy light. For factors on the chance of cloud, a polynomial interpolates the logarithm of light.
+/// cubics in aerosol and parabolas in ozone. For Unknowns::amounts, light under partial cloud cover is the weighted
+/// mean of clear and cloudy light. For Unknowns::factors, a polynomial in the cloud factor interpolates ln(light).
 ///
 /// Accuracy  compared with light_on_the_moon at a tolerance of 0.1 %:
-///           for amounts, with dust up to 8e-6 per metre: 0.4 % in X and Y, 0.8 % in Z
-///           for amounts, with more dust: worse; beyond 1.5e-5 per metre, 2 % in the darkest places
-///           for factors: 1 % in X, Y and Z
+///           with Unknowns::amounts and dust up to 8e-6 per metre: 0.4 % in X and Y, 0.8 % in Z
+///           with Unknowns::amounts and more dust: worse; beyond 1.5e-5 per metre, 2 % in the darkest places
+///           with Unknowns::factors: 1 % in X, Y and Z
 ///           if the range is at most a third of the whole range: 0.3 % in X, Y and Z
 class FittedLight {
  public:

@@ -26,8 +26,8 @@ constexpr plan::Work work_of_fits{.scattered_light = true,
                                   .planes = 2,
                                   .place_error = 1e-2};
 
-/// Number of sectors, between which light is interpolated by cubics, and the highest harmonic, for air without sharp
-/// borders. Compared with 96 sectors and all harmonics, light has relative errors of 2e-3 at most, and 1e-4 on average.
+/// Number of sectors around the shadow's axis, and highest harmonic of position angle, for air without sharp borders.
+/// Compared with 96 sectors and all harmonics, light has relative errors of 2e-3 at most, and 1e-4 on average.
 constexpr std::size_t sectors_of_fits = 48;
 constexpr int harmonics_of_fits = 24;
 
@@ -39,7 +39,7 @@ struct AirAbove {
   std::size_t nodes = 0;
   algebra::Grid<double> shares;  ///< weight of each node at each moment: (moment, node)
   /// Grid (row, band) of spectral weights. Rows are the channels of the first node, then those of the next, and so on.
-  /// As many rows follow for the light that the ground's colour adds.
+  /// The same number of rows follows for the change of light per unit of LitPlace::colour.
   algebra::Grid<double> weights;
 };
 
@@ -84,7 +84,7 @@ struct Setting {
   std::span<const LitBins> parts;
   AirAbove above;
   algebra::Grid<double> weights;                ///< spectral weights, resampled to the wavelengths
-  std::vector<algebra::Grid<double>> direct{};  ///< sunlight clear of the air: grids (place, row)
+  std::vector<algebra::Grid<double>> direct{};  ///< sunlight that misses the air: (place, row)
 
   std::size_t channels_of_nodes() const { return weights.rows() / 2; }
 };
@@ -225,7 +225,7 @@ std::vector<algebra::Grid<double>> light_in_bins(const LightRequest& request, Un
                   above,
                   at_wavelengths(above.weights, work_of_fits.bands)};
   add_direct(setting, progress);
-  // airs are computed several at once, in order of aerosol, because similar aerosol needs light at similar places
+  // Atmospheres, sorted by aerosol, are computed in groups, because similar ones need light at similar axis distances.
   std::vector<std::size_t> order(numbers.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return numbers[i].front(); });

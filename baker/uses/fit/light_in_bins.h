@@ -40,7 +40,7 @@ struct LitBins {
 ///           parts      bins at each moment, all with the same number of channels
 ///           numbers    values of the unknowns for each air
 ///           scattered  whether to include light that the air scatters
-/// Returned  a grid (bin, channel) for each air, of ln(light / full sunlight), the bins of one moment after another
+/// Returned  for each air, a grid (bin, channel) of ln(light / full sunlight), with the bins in the order of `parts`
 std::vector<algebra::Grid<double>> light_in_bins(const LightRequest& request, Unknowns unknowns,
                                                  std::span<const almanac::SkyState> skies,
                                                  std::span<const LitBins> parts,
@@ -51,7 +51,7 @@ std::vector<algebra::Grid<double>> light_in_bins(const LightRequest& request, Un
 /// Interpolates refracted light at any place, for each wavelength: linearly between planes, by cubics between sectors.
 class RefractedAt {
  public:
-  /// Given  light  for all sectors, or for those around the places and one more on each side; must outlive this object
+  /// Given  light  for all sectors, or for the sectors to be read and one more on each side; must outlive this object
   explicit RefractedAt(const shadow::RefractedLight& light);
 
   /// Writes the ratio of refracted light at a place to sunlight without the shadow, for each wavelength.

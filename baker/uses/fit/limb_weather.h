@@ -17,8 +17,8 @@ inline constexpr std::size_t weather_sectors = 12;
 /// position angle 2π s / 12.
 ///
 /// Each point of the limb spreads the Sun's image along a line through the shadow's axis at the point's position angle.
-/// A place receives light from it if it lies within the image's radius of that line. Along the line, the brightness
-/// grows outwards as exp(x / 700 km).
+/// A place receives light from the point if the line is nearer to the place than the radius of the Sun's image. Along
+/// the line, the brightness grows outwards as exp(x / 700 km).
 ///
 /// Given     sun_distance_m  distance from the Sun to the Earth
 /// Returned  shares, whose sum is the share of refracted light in all light: 1 in the umbra, less outside
@@ -39,17 +39,17 @@ inline constexpr std::size_t weather_of_light = 0, weather_of_blue = 1, weather_
 /// Given  distance_km  distance from the shadow's axis; the umbra ends at about 4600 km
 double light_by_weather(std::size_t kind, std::size_t channel, double distance_km);
 
-/// Weights of independent changes of weather at given moments. There is one change each hour, and weather varies
-/// linearly in between. Part of the weather persists from hour to hour. Weather systems of 1500 km cross the limb in an
-/// hour near the equator but take many hours near the poles, and regions that are cloudier or clearer than their belt
-/// stay so for a night.
+/// Describes the weather at given moments as a weighted sum of independent random changes: one at the first moment and
+/// one after each hour. Between them, weather varies linearly. Part of it persists from hour to hour: weather systems
+/// of 1500 km cross the limb in an hour near the equator, but take many hours near the poles, and regions with more or
+/// less cloud than is usual at their latitude stay so for a night.
 ///
 /// Given     seconds  moments, counted from any origin
 /// Returned  weights (moment, change), with a single change if all moments lie within a quarter of an hour
 algebra::Grid<double> weather_changes(std::span<const double> seconds);
 
-/// Error of light due to weather in a given air, relative to the error in typical air. Weather changes the chance of
-/// cloud, so the more light clouds block, the more weather changes light. Other weather keeps the ratio at 0.5 or more.
+/// Error of light due to weather in a given air, divided by that error in typical air. Weather changes the chance of
+/// cloud, so the ratio grows with the light that clouds block. Effects other than cloud keep the ratio at 0.5 or more.
 ///
 /// Given     dimming  decrease of ln(red light in the umbra) per unit of ln(chance of cloud): 0.3 in typical air, 0.6
 ///                    in air without aerosol

@@ -10,7 +10,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Shares of the total misfit at or above which a part of it counts as most of it, and as nearly all of it.
+/// Shares of the total misfit. A part above the first counts as most of it, one above the second as nearly all of it.
 constexpr double most_of_it = 0.6, nearly_all = 0.8;
 
 /// Distances from the shadow's axis at which the edge of the umbra begins and ends [km].

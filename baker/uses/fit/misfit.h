@@ -29,7 +29,7 @@ inline constexpr std::array<std::string_view, 6> suspect_names{"instant", "expos
 struct Suspicion {
   Suspect suspect;
   Misfit worst;                         ///< misfit whose χ² exceeds its expected value most
-  std::vector<std::size_t> mirrored{};  ///< indices of mirrored photographs; empty if all are
+  std::vector<std::size_t> mirrored{};  ///< indices of mirrored pictures, unless all are mirrored
 };
 
 /// Name of the part of the shadow at a distance from its axis: "umbra", "edge of the umbra" or "penumbra".

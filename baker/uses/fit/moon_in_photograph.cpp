@@ -88,8 +88,8 @@ Channel glowing(const FitScene& scene) {
   return luminance;
 }
 
-/// Registers a scene, rendered as a luminance, in a photograph's luminance. If this fails, half and a quarter of the
-/// size are tried as well, unless `roughly` is set.
+/// Registers the luminance of a rendered scene in the luminance of a photograph. If this fails, the photograph is also
+/// tried at half and at a quarter of its size, unless `roughly` is set.
 colour::Registration registered_by(const Channel& luminance, const Channel& render,
                                    const FitScene& scene, const MoonPart& moon,
                                    const std::optional<double>& scale, bool roughly) {

@@ -12,9 +12,9 @@
 
 namespace coppermoon::uses {
 
-/// The part of a photograph that shows the Moon and its surroundings, shrunk by a whole factor. After shrinking, the
-/// disc is at least 1.5 times as wide as a scene's, unless it was smaller before. A square of pixels is replaced by one
-/// pixel. Its value is the brightest in the square if any may be clipped, else 0 if most are black, else the mean.
+/// The part of a photograph that shows the Moon and its surroundings, shrunk by an integer factor. After shrinking, the
+/// disc is at least 1.5 times as wide as in a FitScene, unless it was smaller before. Each pixel replaces a square of
+/// pixels. Its value is the greatest in the square if any may be clipped, else 0 if most are black, else the mean.
 struct MoonPart {
   texture::Image photo;
   algebra::Grid<float> luminance = {};  ///< luminance of `photo`
@@ -25,12 +25,12 @@ struct MoonPart {
   bool is_burnt = false;    ///< whether any pixel may be clipped
   float saturated = 0.97F;  ///< level above which a channel is no longer proportional to light
   std::array<double, 3> steps =
-      {};  ///< quantisation step of each channel near black, in linear light; 0 if it is fine
+      {};  ///< quantisation step of each channel near black, in linear light; 0 with more than 8 bits
 };
 
 /// Finds the Moon in a photograph and cuts it out.
 ///
-/// Given   photo  in linear light, as the file's coding gives it; values of 1 are saturated
+/// Given   photo  in linear light, decoded from the file's pixel values; values of 1 are saturated
 /// Throws  Error  when no disc is found even at half or a quarter of the size; as colour::limb_of
 MoonPart moon_part(const texture::Image& photo, float saturated = 0.97F);
 
@@ -42,14 +42,14 @@ std::string reason_with_shares(const MoonPart& moon, const std::string& reason);
 enum class Registering {
   rough,       ///< coarse registration, as with colour::KnownBefore::roughly
   fine,        ///< if noise hides the limb, the photograph is halved in size, at most twice
-  of_clipped,  ///< like fine; if little is recognised, clipped pixels are then treated as brightest
+  of_clipped,  ///< like fine; if correlation is below 0.8, also tries clipped pixels as brightest
 };
 
 /// Finds where a scene lies in a photograph.
 ///
 /// Given     scale  scale of the similarity, if it is known
 ///           how    of_clipped only if the moment is known, because at a wrong moment it finds false matches more often
-/// Returned  the best of several attempts. A burnt crescent is also tried in its glow, if the scene has that
+/// Returned  the best of several attempts; one adds scene.glow, if known, to a burnt Moon partly outside the umbra
 /// Throws    Error  as colour::registered
 colour::Registration registration_of(const FitScene& scene, const MoonPart& moon,
                                      const std::optional<double>& scale = {},
@@ -68,9 +68,9 @@ double off_limb_km(const FitScene& scene, const colour::Registration& registrati
 /// if they disagree. Pixels are those of the photograph or the scene, whichever are larger.
 ///
 /// Given   in_its_air  whether the photograph was registered with the fitted air
-/// Source  errors measured on simulated photographs [pixels]: 0.03 in the middle of the umbra, 0.2 to 0.45 near its
-///         edge, 0.8 at a correlation below 0.8, up to 1.1 beside a lit crescent; on a night of 18 JPEGs: 0.2 to 0.3 in
-///         the umbra and 0.3 to 2.4 outside, or, with the fitted air, 0.1 to 0.2 and 0.04 to 0.3
+/// Source  errors [pixels] on simulated photographs: 0.03 in the middle of the umbra, 0.2 to 0.45 near its edge, 0.8 at
+///         a correlation below 0.8, up to 1.1 beside a lit crescent; on 18 JPEGs with the assumed air: 0.2 to 0.3 in
+///         the umbra, 0.3 to 2.4 outside; on these with the fitted air: 0.1 to 0.2 in the umbra, 0.04 to 0.3 outside
 double place_error_km(const FitScene& scene, const colour::Registration& registration,
                       bool in_its_air = false);
 

@@ -148,7 +148,7 @@ Clock told_by_light(const Stage& stage, std::span<const Binned> binned, Clock cl
   return clock;
 }
 
-/// Whether the fitted unknown of cloud is a factor on the chance of cloud, which is fitted as a logarithm.
+/// Whether the unknown for cloud in a fit is a factor on the chance of cloud. Only then is its logarithm fitted.
 bool cloud_is_a_chance(const AirFit& fit) { return unknowns_of(fit.unknowns)[1].logarithmic; }
 
 /// Relative change in cloud that is used to compute the derivative of light.
@@ -238,7 +238,7 @@ Night looked_at_again(Night night, Again why, const AirFit& fit, const algebra::
 }
 
 DataSet data_of(const Night& night) {
-  constexpr double of_edited = 9;  // factor on variances: errors are three times a camera's
+  constexpr double of_edited = 9;  // factor on variances: editing triples standard errors
   return {night.light,
           [&compared = night.compared](const algebra::Grid<double>& light) {
             return compared.goodness(light);

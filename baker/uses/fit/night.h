@@ -21,12 +21,12 @@ struct Night {
 };
 
 /// Processes a night for the first time: reads its photographs, finds their clock correction, registers and bins them,
-/// and computes light over the whole range of air.
+/// and computes light over the whole range of the air's unknowns.
 ///
 /// Photographs that leave_out_far rejects are left out. Then photographs whose light does not fit that of the others in
 /// any air are left out one by one, because one such photograph misleads the fit of a whole night. Their light is wrong
-/// by three stops or more in all channels. One stop is enough if the Moon is poorly recognised, or turned unlike the
-/// Moon in most other photographs.
+/// by three stops or more in all channels. One stop is enough if the registration's correlation is below 0.8, or if the
+/// Moon is rotated or mirrored differently from the Moon in most other photographs.
 ///
 /// Given   request  photographs from one camera and eclipse
 /// Throws  Error    "<file>: …" when no photograph can be read or used; <file> is the first of them

@@ -52,7 +52,7 @@ struct NightErrors {
   algebra::Grid<double> clouded{};  ///< light for the best air with more cloud; empty if unknown
   algebra::Grid<double> dusty{};    ///< light for the best air with more aerosol; empty if unknown
   double dusty_by = 0;              ///< ln(aerosol in `dusty` / aerosol in `expected`)
-  double clouded_by = 0;  ///< ln(cloud chance in `clouded` / that in `expected`); 0 for a deck
+  double clouded_by = 0;  ///< ln(cloud chance, `clouded` / `expected`); 0 if cloud cover is fitted
 };
 
 /// Order of rows for the computed light of a night's photographs.

@@ -136,7 +136,7 @@ std::vector<Placed> placed_again(const Stage& stage, std::span<const Reading> re
       const auto& before = all[i].registration;
       if (again.correlation < before.correlation - less_alike ||
           !are_turned_alike(again.render_to_photo, before.render_to_photo, most_degrees))
-        continue;  // now worse, or turned to match the shadow in a wrong air
+        continue;  // now worse, or rotated because the computed shadow is wrong
       all[i].registration = again;
       all[i].scene = std::make_shared<const FitScene>(std::move(scene));
     } catch (const algebra::Error&) {  // keep the registration with the assumed air

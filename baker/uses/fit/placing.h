@@ -17,7 +17,7 @@ struct Placed {
   colour::Registration registration{};
   double px_per_rad = 0;         ///< scale of the whole picture
   bool in_others_scale = false;  ///< whether registered at the scale of other photographs
-  bool in_its_air = false;  ///< whether registered with the best-fitting air, and its scale is sure
+  bool in_its_air = false;  ///< whether registered with the best-fitting air at a reliable scale
 };
 
 /// What is needed to register the photographs from one camera and eclipse.
@@ -45,7 +45,7 @@ std::vector<Placed> placed(const Stage& stage, std::span<const Reading> readings
 std::vector<Placed> placed_again(const Stage& stage, std::span<const Reading> readings,
                                  std::vector<Placed> all);
 
-/// Leaves out photographs whose limb and markings disagree by more than 50 km in place, as long as three others remain.
+/// Leaves out photographs whose limb and markings place the Moon's centre over 50 km apart, if three others remain.
 void leave_out_far(std::span<const Reading> readings, std::span<Placed> placed);
 
 /// Bins the light of the registered photographs. Those registered at the scale of other photographs come last.
@@ -54,7 +54,7 @@ void leave_out_far(std::span<const Reading> readings, std::span<Placed> placed);
 std::vector<Binned> binned(std::span<const Reading> readings, std::span<const Placed> placed,
                            const colour::ToneCurve& curve);
 
-/// Whether two pictures agree in being mirrored or not, and their rotations differ by less than `within_degrees`.
+/// Whether two pictures are both mirrored or both not, and their rotations differ by less than `within_degrees`.
 bool are_turned_alike(const colour::Similarity& one, const colour::Similarity& other,
                       double within_degrees = 30);
 

@@ -18,8 +18,8 @@ bool is_grey(const texture::Image& photo) {
 }
 
 /// Exposure of a photograph as the request states it, else as its header does; nothing if a setting is missing. If the
-/// exposures of a night share an unknown factor (`free`), a constant replaces a missing f-number, and the ISO speed of
-/// a camera that has a gain instead.
+/// exposures of a night share an unknown factor (`free`), a constant replaces a missing f-number. A constant also
+/// replaces a missing ISO speed if the header states a gain.
 std::optional<colour::Exposure> exposure_of(const EclipsePhotograph& photograph,
                                             const CameraSettings& header, bool free) {
   const auto time_s = photograph.time_s ? photograph.time_s : header.time_s;

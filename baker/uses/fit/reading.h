@@ -21,7 +21,7 @@ struct Reading {
   PhotometricErrors errors{};              ///< all errors except place_error_km
 };
 
-/// Whether a program may have changed the values that the camera wrote (see editor_of) and the request gives no coding.
+/// Whether `photograph.coding` is as_file_says and a program may have changed the camera's pixel values (editor_of).
 bool is_edited(const EclipsePhotograph& photograph);
 
 /// Whether a photograph's tone curve is fitted, because it is the camera's own or a program has changed it.

@@ -25,7 +25,7 @@ struct Uncertain {
   double value = 0, error = 0;
 };
 
-/// Light beside the disc: the sum of uniform light from the sky and the computed glow times a factor, which is `glow`.
+/// Model of the light beside the disc: uniform light `sky`, plus the computed glow multiplied by the factor `glow`.
 struct SkyAndGlow {
   Uncertain sky, glow;
 };

@@ -14,8 +14,8 @@ enum class Unknowns {
   amounts  ///< dust [1/m], share of the limb under a deck of cloud (replaces the chance of cloud), ozone [DU]
 };
 
-/// One unknown of the air, and its prior between two limits. The prior is uniform, or a normal distribution on the
-/// posterior's axis about the month's mean air, from which the air of one night differs.
+/// One unknown of the air, and its prior between two limits, on the posterior's axis. For an amount, the prior is
+/// uniform. For a factor, it is normal about 1, the month's mean, because single nights differ from the mean.
 struct Unknown {
   std::string_view parameter;  ///< option name, such as "stratospheric-factor"
   std::string_view key;        ///< key in JSON and Python, such as "stratospheric_factor"
@@ -50,7 +50,7 @@ using AirRange = std::array<std::array<double, 2>, 3>;
 /// Limits of the priors of all three unknowns.
 AirRange whole_range(Unknowns unknowns);
 
-/// Kind of unknowns that suits an air: factors if the air is a month's mean without a deck of cloud, else amounts.
+/// Default unknowns for a given air: factors if the air is a month's mean without a deck of cloud, else amounts.
 Unknowns usual_unknowns(const Air& air);
 
 /// Air with all factors set to 1, so that a fitted factor is the value of the air's own parameter.

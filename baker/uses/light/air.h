@@ -54,7 +54,7 @@ struct Air {
   std::string atmosphere = "standard";  ///< one of atmosphere::preset_names()
   bool refraction = true, rayleigh = true;
   std::optional<EarthFigure> earth{};
-  std::optional<atmosphere::Density> density{};  ///< ignored if the atmosphere has no air
+  std::optional<atmosphere::Density> density{};  ///< ignored if `atmosphere` is "none"
   std::optional<atmosphere::Dispersion> dispersion{};
   std::optional<atmosphere::KingFactor> king_factor{};
   std::optional<atmosphere::OzonePath> ozone_path{};
@@ -82,7 +82,7 @@ atmosphere::Atmosphere atmosphere_of(const Air& air, algebra::Angle sun_declinat
 atmosphere::Atmosphere atmosphere_of(const Air& air, const almanac::SkyState& sky);
 
 /// Whether the air can be scaled so that the night's eclipse reaches the requested step on Danjon's scale. True if no
-/// step is requested or the air has no belts. If it cannot be, the clearest or the darkest air is used.
+/// step is requested or the air has no belts. If false, atmosphere_of returns the clearest or the darkest air.
 bool reaches_danjon(const Air& asked, const almanac::SkyState& sky);
 
 }  // namespace coppermoon::uses

@@ -108,8 +108,8 @@ class Totality {
   double dimmer_ = 1;  ///< factor by which the distances of Sun and Moon dim the Moon
 };
 
-/// Clearness that gives the Moon a magnitude, interpolated with a polynomial through up to four known points around
-/// the magnitude. `bright` is the index of the first known point that is at least as bright.
+/// Clearness (see `cleared`) at which the Moon has the given visual magnitude, interpolated with a polynomial through
+/// up to four known points. `bright` is the index of the first known point at least as bright as `magnitude`.
 template <typename Known>
 double between(std::span<const Known> known, std::size_t bright, double magnitude) {
   const std::size_t first = bright > 1 ? bright - 2 : 0,

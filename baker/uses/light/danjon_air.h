@@ -18,28 +18,28 @@ namespace coppermoon::uses {
 /// Returned  the air with the columns of all its belts changed
 atmosphere::Atmosphere cleared(atmosphere::Atmosphere air, double clearness);
 
-/// Limits and error of the search for a clearness. If the result is within the error of a limit, the search has failed.
+/// Limits and error of the clearness that DanjonScale finds (see `cleared`). A result near a limit means failure.
 inline constexpr double darkest_clearness = -2, brightest_clearness = 1,
                         clearness_error = 2. / 1024;
 
-/// Clearness for each step L on Danjon's scale, for the eclipse nearest to a moment. With this clearness, the Moon at
-/// greatest eclipse has the visual magnitude that corresponds to L.
+/// Clearness for each step L on Danjon's scale, for the eclipse nearest to a moment. In air that `cleared` has changed
+/// by this clearness, the Moon at greatest eclipse has the visual magnitude that corresponds to L.
 ///
 ///     m = 4.2 − 3 L + (L/2)²
 ///
 /// If the eclipse is not total, the Moon is placed just inside the umbra.
 ///
 /// Accuracy  0.15 mag, because the Moon is treated as uniform, and its light is computed in ten bands at a few places
-/// Source    H. C. Vital's correlation of observers' estimates (REA Brazil, 2004 to 2015); clearness is our definition
+/// Source    H. C. Vital's correlation of observers' estimates (REA Brazil, 2004 to 2015); `cleared` defines clearness
 class DanjonScale {
  public:
   /// Given  air  the air on the night of the eclipse, divided into belts of latitude
   DanjonScale(const atmosphere::Atmosphere& air, const almanac::SkyState& sky);
 
-  /// Clearness for a step on Danjon's scale. Magnitudes are cached to speed up later calls, without changing results.
+  /// Clearness (see `cleared`) for a step on Danjon's scale. Caching speeds up later calls without changing results.
   ///
-  /// Given     l  0 to 4
-  /// Returned  −2 to 1; at either limit, the Moon may not reach the step's magnitude
+  /// Given     l  step on Danjon's scale, 0 to 4
+  /// Returned  clearness, −2 (darkest) to 1 (clearest); at either limit, the Moon may not reach the step's magnitude
   /// Throws    Error  when l is outside its range
   double clearness(int l);
 
@@ -48,7 +48,7 @@ class DanjonScale {
     double clearness, magnitude;
   };
 
-  /// Inserts a clearness and its magnitude into `known`, which is sorted by clearness and thus by falling magnitude.
+  /// Adds a clearness, and the Moon's magnitude in such air, to `known`, in order of clearness and falling magnitude.
   void add(double clearness, std::vector<Known>& known);
 
   std::function<double(double clearness)> magnitude_;

@@ -265,8 +265,8 @@ void describe_terms(Parameters& is, Air& air) {
 
 namespace {
 
-/// Declares which parameters of the air require or exclude others. Regions and Danjon's scale lift the requirements,
-/// because they may bring terms that the rest of the air lacks.
+/// Declares which parameters of the air require or exclude others. If a region or a step on Danjon's scale is
+/// requested, nothing is required, because either may add aerosol, cloud or ozone that the preset atmosphere lacks.
 void relate(Parameters& is) {
   using request::Conditions;
   const auto with = [](Conditions any) {

@@ -59,8 +59,8 @@ plan::Work everything_but(const std::string& list);
 /// Given  parameters  those of the air; any others are ignored
 std::string air_in_words(const request::Parameters& parameters);
 
-/// Recipe in which the planned work replaces the settings from which it was planned, so that every machine makes the
-/// same Moon. The quality is kept, because it may imply other settings too.
+/// Recipe in which numbers that the planner chose (bands, rays) replace the settings it planned from (tolerance), so
+/// that every machine renders the same Moon. `quality` is kept, because it may imply other settings too.
 request::Recipe with_work(const request::Recipe& recipe, const plan::Work& work);
 
 /// Whether a setting is one that the planner can choose, or one from which it plans, such as the tolerance.

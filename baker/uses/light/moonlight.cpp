@@ -163,8 +163,8 @@ shadow::RefractedLight planned_refracted_light(const LightRequest& request, cons
   return photons_of(limited, rig, enough, most, progress);
 }
 
-/// Whether two arrangements of Sun and planes agree. The Sun's distance may differ by up to 1 km, and the depths of
-/// planes by up to 1 m, because processors round differently.
+/// Whether two arrangements of the Sun and of the planes behind the Earth agree. The Sun's distance may differ by up to
+/// 1 km, and the depths of planes by up to 1 m, because processors round differently.
 bool are_alike(const shadow::Arrangement& a, const shadow::Arrangement& b) {
   const auto alike = [](double x, double y) { return std::abs(x - y) < 1; };
   return a.limb_darkening == b.limb_darkening &&

@@ -46,7 +46,7 @@ struct LightRequest {
   Solver solver = Solver::automatic;
   plan::Wish wish{.tolerance = 0.01};
   plan::ByHand by_hand{};           ///< the user's settings, except for solver and photons
-  std::optional<double> photons{};  ///< number, 1 to 1e12; if absent, as the tolerance needs
+  std::optional<double> photons{};  ///< number, 1 to 1e12; if absent, enough for the tolerance
   double step_km = 1;               ///< step along a photon's path in the solver `literal`
   double ring_km = 50;              ///< width of the rings that gather photons
   double smoothing_km = 0;  ///< standard deviation of the Gaussian that smooths photons, 0 to 2000
@@ -71,9 +71,9 @@ struct LightGrid {
   std::size_t around = shadow::sectors_around;  ///< number of sectors, unless light is symmetric
 };
 
-/// Refracted light, computed by the requested solver. Scattered light is included unless it is off (scattered_light_of)
-/// or the request leaves it out. Starlight is included if requested. The numbers of rays and of terms for the Sun are
-/// chosen for a tolerance of 0.1 %, or for the requested tolerance if that is finer.
+/// Refracted light, computed by the requested solver. Scattered light is included unless scattered_light_of returns
+/// `off` or `by_hand.terms` omits it. Starlight is included if requested. The numbers of rays and of terms for limb
+/// darkening are chosen for a tolerance of 0.1 %, or for the requested tolerance if that is finer.
 ///
 /// Throws  Error  when photons are requested without their number
 shadow::RefractedLight refracted_light(const LightRequest& request,

@@ -374,7 +374,7 @@ class ExactLight {
     const auto disc = disc_of(moon);
     auto places =
         evenly({disc.from_m + off_nodes * lunar_radius_m, disc.to_m}, places_over(disc, 15));
-    // If the Moon does not reach the axis, the Moon's darkest place is added, because direct light errs most there.
+    // If the disc does not reach the axis, its darkest place is added, where the relative error of direct light peaks.
     if (disc.from_m > 0) places.insert(places.begin(), disc.from_m);
     const auto arrangement = arrangement_of(moon, {depth_m});
     add_edges_of_the_shadow(moon, arrangement, disc, places);

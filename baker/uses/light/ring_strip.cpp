@@ -78,11 +78,11 @@ void require_umbra(const Lookout& lookout, const atmosphere::Atmosphere& air,
 }
 
 /// Weights of wavelengths that convert radiance, relative to the Sun's mean radiance, to picture_space [cd/m²] times
-/// `scale`.
+/// `scale`. The Sun's radiance is that of sunlit white ground at 1 au, times (1 au / solar radius)².
 shadow::ChannelWeights sun_weights(double scale) {
   auto weights = white_ground_weights(colour::channel_weights(picture_space, band_edges_nm()));
   const double radii = almanac::astronomical_unit_m / photons::solar_radius_m;
-  for (double& weight : weights.values()) weight *= scale * radii * radii;  // to the Sun's radiance
+  for (double& weight : weights.values()) weight *= scale * radii * radii;
   return at_wavelengths(weights, ring_bands);
 }
 

@@ -97,7 +97,7 @@ class Exposer {
   }
 
  private:
-  /// Level below which the brightest channel stays in the given share of the colours.
+  /// Quantile of the brightest channels of all colours. For example, a share of 0.5 returns the median.
   static double brightest_of(const std::vector<Rgb>& colours, double share) {
     std::vector<double> levels;
     for (const auto& colour : colours) levels.push_back(std::ranges::max(colour));

@@ -22,8 +22,7 @@ struct NightLight {
   std::optional<double> sky_cd_m2 = {};  ///< in the Moon's direction; absent if the Moon is down
 };
 
-/// Exposure time for a part of the Moon, and the times for a Moon that is brighter or darker than forecast by the
-/// standard error in totality.
+/// Exposure time for a part of the Moon, and its range for one standard error of the light forecast in the umbra.
 struct PartExposure {
   double time_s, least_s, most_s;
   double stops_under = 0;  ///< stops of underexposure that are needed to avoid trailing

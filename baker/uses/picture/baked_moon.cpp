@@ -211,8 +211,8 @@ texture::Part part(const LitMoon& moon, const std::string& name, const Channels&
           channels.bands.empty() ? kept : with_bands(kept, looked_up, channels.bands)};
 }
 
-/// Brightness of lunar ground relative to white ground in each colour channel, both in sunlight. The lunar ground is
-/// that of the mean Moon, or the reddest followed by the bluest.
+/// Brightness of sunlit lunar ground relative to sunlit white ground in each colour channel, for the mean Moon. If the
+/// ground varies in colour, returns all channels for the reddest ground, then all channels for the bluest.
 std::vector<double> ground_colours(const LitMoon& moon, const algebra::Grid<double>& of_moon,
                                    const algebra::Grid<double>& of_white) {
   const auto seen = of_ground(moon.ground.get(), of_moon, band_centres_nm());
@@ -321,7 +321,7 @@ BakedMoon baked(const LitMoon& moon, const TextureContent& content, const Baking
   std::ranges::copy(grounds, sunlit.values().begin());
   add("reflectance", colour, shadow::Lookup(sunlit), {reflectance});
   made.parts.push_back(albedo_part(moon));
-  for (auto& share : std::span(made.parts).last(2)) {  // these ratios have no unit and no colour
+  for (auto& share : std::span(made.parts).last(2)) {  // reflectance and albedo are pure ratios
     share.left_out = {"whiteLuminance", "coppermoon:unit", "chromaticities"};
     share.own = {{"colorInteropID", std::string("data")}};
   }

@@ -132,7 +132,7 @@ std::vector<almanac::Instant> moments_between(const almanac::Instant& from,
 LightCurve light_curve(const MoonRequest& moon, const std::vector<almanac::Instant>& moments,
                        const ViewRequest& view, const algebra::Progress& progress) {
   constexpr std::size_t rows = 180;
-  if (view.observer) air_over(*view.observer, view);  // throws if the air is out of range
+  if (view.observer) air_over(*view.observer, view);  // throws if any air quantity is out of range
   const auto skies = skies_between(moments.front(), moments.back());
   const auto over_all =
       measurable(moon, skies.front(),

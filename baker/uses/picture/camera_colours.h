@@ -42,7 +42,7 @@ std::array<double, 3> rec709_of(std::span<const double> xyz);
 std::array<double, 3> xyz_of_rec709(std::span<const double> rgb);
 
 /// Moonlight as a camera records it, in linear Rec.709. Each channel is raised to at least 1e-12, in the unit of `xyz`,
-/// and to the fraction `least` of the brightest, as the caller chooses. The fraction CameraColours::lift is then added.
+/// and to at least `least` times the brightest channel. Then CameraColours::lift times the brightest channel is added.
 ///
 /// Given  colours  the camera's conversion; if absent, rec709_of is used
 ///        xyz      CIE XYZ of the moonlight, in any unit

@@ -17,7 +17,7 @@
 namespace coppermoon::uses {
 
 /// A requested camera. If no model is named, the picture shows the scene itself, without noise. If a spectral response
-/// is given, the picture has its colours.
+/// is given, the picture has the colours that a sensor with this response records.
 struct CameraRequest {
   std::string model{};  ///< one of colour::camera_names(); if empty, no camera
   std::optional<double> aperture_mm{}, obstruction{}, transmission{}, pixel_um{},
@@ -77,7 +77,7 @@ struct Frame {
   texture::Attributes attributes = {};  ///< for the headers of the camera's files
 };
 
-/// Takes a photograph of a scene-linear frame. For the glow, the sky is assumed to continue beyond the frame.
+/// Photographs a scene-linear frame. Scattered light (glow) is computed as if the sky continued beyond the frame.
 colour::Photograph photographed(const CameraRequest& request, const colour::Camera& camera,
                                 const Frame& frame, const colour::Exposure& exposure);
 

@@ -72,7 +72,7 @@ struct SkyTerms {
 class ClearSky {
  public:
   /// Given   moon_magnitudes  the Moon's magnitudes without air, in B, V and R; infinite for a dark Moon
-  /// Throws  Error            when a term of the air is outside its range
+  /// Throws  Error            when a member of `air`, such as the ozone column, is outside its range
   ClearSky(const almanac::Observer& place, const almanac::SkyState& sky,
            const atmosphere::ObserverAir& air, std::span<const double> moon_magnitudes);
   /// A clear sky lit by a Moon that has the colour of the full Moon.

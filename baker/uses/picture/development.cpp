@@ -32,8 +32,8 @@ const PictureFile& file_of(const std::filesystem::path& picture) {
   return files::format_of(picture, picture_files(), "a picture");
 }
 
-/// Adapts a development to a picture's file. If the default display is set, the file's ending decides on the display.
-/// The names of view and display are then spelt as in the OpenColorIO configuration, which may come from $OCIO.
+/// Adapts development settings to a picture's file format. For high dynamic range, Rec.2100-PQ replaces the default
+/// display. View and display names are then spelt as in the OpenColorIO configuration, which may come from $OCIO.
 Development for_file(Development development, const std::filesystem::path& picture) {
   if (file_of(picture).high_range && development.display == usual_display)
     development.display = high_range_display;

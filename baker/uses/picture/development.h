@@ -143,8 +143,8 @@ void write_picture(const Development& development, const Exposures& exposures,
                    const LitTexture& texture, const texture::Attributes& attributes,
                    const std::filesystem::path& picture);
 
-/// Develops a scene-linear frame and writes the picture. A picture that ends in .avif has high dynamic range
-/// (write_avif), for the display Rec.2100-PQ: saturation is 100 cd/m², and brighter light stays brighter.
+/// Develops a scene-linear frame and writes the picture. An .avif file has high dynamic range (write_avif), for the
+/// display Rec.2100-PQ. It shows saturation at 100 cd/m², and light above saturation at higher luminances.
 ///
 /// Given  attributes  for the picture's header; those of the frame go into the camera's files
 void write_picture(const Development& development, const Exposures& exposures, const Frame& frame,

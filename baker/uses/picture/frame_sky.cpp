@@ -16,7 +16,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Spacing of the nodes at which the sky is computed [pixels]: a quarter of a degree, but 4 to 64 pixels.
+/// Spacing of the nodes at which the sky is computed [pixels]: a quarter of a degree, limited to 4 to 64 pixels.
 std::size_t step_of(const povray_scenes::SceneCamera& camera) {
   const double quarter = std::numbers::pi / 720 / pixel_rad_of(camera);
   return static_cast<std::size_t>(std::clamp(quarter, 4., 64.));

@@ -17,7 +17,7 @@ namespace coppermoon::uses {
 /// surroundings.
 ///
 /// If a luminance is requested, the sky is uniform and has the colour of D65. Otherwise, the sky over an observer is a
-/// ClearSky, interpolated between nodes, and seen from space it is black. Below the horizon it looks as on the horizon.
+/// ClearSky, interpolated between nodes. Below the horizon, it has the horizon's light. From space, the sky is black.
 ///
 /// Accuracy  relative errors of the interpolation are 0.1 % above 5 degrees of altitude, and 1 % near the horizon
 /// Omits     the effect of a spectral response on the sky's colour

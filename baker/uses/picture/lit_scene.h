@@ -54,11 +54,11 @@ enum class Renderer { povray, mitsuba };
 void require_scene_folder(const std::filesystem::path& folder, const ViewRequest& view,
                           Renderer renderer = Renderer::povray);
 
-/// Writes moon.inc, eclipse_stars.inc and coppermoon.inc into the folder of a scene that has an observer. These files
-/// provide its Moon and stars for scenes that the user writes (povray_scenes::moon_include, star_include). Without an
-/// observer, nothing is written. The sky that moon.inc shows comes from write_sky.
+/// Writes moon.inc, eclipse_stars.inc and coppermoon.inc into a scene's folder. With these files, users can show the
+/// scene's Moon and stars in their own POV-Ray scenes (povray_scenes::moon_include, star_include). Without an observer,
+/// nothing is written. The image of the sky that moon.inc shows is written by write_sky.
 ///
-/// Given     request   the request for the scene's view, which sets the air of the sky
+/// Given     request   the request for the scene's view; it states the ozone and aerosol above the observer
 /// Accuracy  illuminance 0.2 %, with a texture of 360 rows
 void write_moon_include(const std::filesystem::path& folder, const LitScene& scene,
                         const ViewRequest& request);

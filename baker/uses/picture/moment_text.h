@@ -14,7 +14,8 @@ namespace coppermoon::uses {
 struct MomentContext {
   std::optional<almanac::Observer> observer{};
   /// Time zone for times of day without an offset: a zone that local_time accepts, or "local" for the place's zone. If
-  /// empty, times are in UTC. The day of an eclipse may be in UTC, in this zone or, if empty, in the place's zone.
+  /// `zone` is empty, such times are in UTC. A day names the eclipse on that day in UTC. If there is none, it names the
+  /// eclipse on that day in this zone or, if `zone` is empty, in the place's zone.
   std::string zone{};
   almanac::Calendar calendar = almanac::Calendar::gregorian;
 };

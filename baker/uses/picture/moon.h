@@ -78,7 +78,7 @@ algebra::Grid<float> normal_albedo(const MoonRequest& moon);
 std::shared_ptr<const surface::Ground> ground_of(const MoonRequest& moon,
                                                  const algebra::Grid<float>& normal_albedo);
 
-/// Weights for baking moonlight. If the ground varies in colour, weights for its reddest and bluest are returned.
+/// Weights for baking moonlight. If the ground varies in colour, returns weights for the reddest and the bluest ground.
 ///
 /// Given  at_nm  wavelengths, or middles of bands, one for each column of the weights
 algebra::Grid<double> of_ground(const surface::Ground* ground, const algebra::Grid<double>& weights,

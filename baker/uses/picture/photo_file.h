@@ -51,8 +51,7 @@ double seconds_at(const HeaderClock& clock);
 std::optional<HeaderClock> clock_in(const std::string& date, const std::string& offset = {});
 
 /// When a photograph was taken, by the camera's clock. The date in a FITS file is in UTC, or is converted to UTC from
-/// the time scale that TIMESYS names. If TIMESYS is LOCAL, the zone is unknown. Pictures of this program have a date in
-/// UTC.
+/// the scale that TIMESYS names. If TIMESYS is LOCAL, the zone is unknown. Coppermoon's pictures have UTC dates.
 ///
 /// Throws  Error  with the photograph's name, when the header has no date or an unknown TIMESYS, or clock_in throws
 /// Source  FITS Standard 4.0 (2018), 9.2.1
@@ -67,9 +66,9 @@ std::optional<HeaderClock> gps_clock_of(const std::string& photo);
 /// program's tone curve, not the camera's.
 std::optional<std::string> developer_of(const std::string& photo);
 
-/// The program that developed, edited or merely saved a picture of whole numbers, if the header names one, with or
-/// without a camera. Such numbers cannot be converted to light, because their tone curve is unknown. Nothing for raw
-/// files and for files that cannot be read.
+/// The program that developed, edited or merely saved a picture with integer samples, if the header names the program.
+/// The header need not name a camera. Such samples cannot be converted to light, because their tone curve is unknown.
+/// Nothing for raw files and for files that cannot be read.
 std::optional<std::string> editor_of(const std::string& photo);
 
 /// The coding of a photograph's numbers, as requested. If the request leaves the coding to the file, it is the camera's

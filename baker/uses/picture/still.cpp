@@ -134,7 +134,7 @@ LinearFrame completed(Image rendered, const View& view, const almanac::SkyState&
 LinearFrame rendered(const LitScene& scene, bool passes, const algebra::Progress& progress) {
   const files::TemporaryFolder folder;
   std::vector<SkyLight> lights;
-  tbb::task_group beside;  // finds the stars while POV-Ray starts, which uses no CPU
+  tbb::task_group beside;  // finds the stars while POV-Ray's start leaves the CPU idle
   beside.run([&] { lights = sky_lights(scene.view, scene.moon.sky); });
   constexpr const char* texture_file = "moon_lin_rec709.exr";
   texture::write_exr(folder.path() / texture_file, scene.texture.parts, scene.texture.attributes,

@@ -38,8 +38,8 @@ LinearFrame completed(texture::Image rendered, const View& view, const almanac::
 LinearFrame rendered(const LitScene& scene, bool passes = false,
                      const algebra::Progress& progress = {});
 
-/// Memory that a frame takes while it is rendered and developed [bytes]: 75 per pixel, measured at 3000 x 3000 pixels,
-/// and 128 more per pixel with a camera, for its glow.
+/// Memory for rendering and developing a frame [bytes]: 75 per pixel, measured at 3000 x 3000 pixels. A camera needs
+/// 128 more per pixel to compute the light that its optics and the air scatter (glow).
 double frame_memory(std::size_t width, std::size_t height, bool through_camera = false);
 
 /// Converts a frame to another working space.

@@ -94,7 +94,7 @@ void hide_below_horizon(texture::Image& frame, const View& view, const almanac::
 atmosphere::ObserverAir air_over(const almanac::Observer& observer, const ViewRequest& request);
 
 /// Throws Error when the whole Moon is below the observer's horizon (the message states by how much), or when the
-///        observer's air is out of range
+///        observer's ozone, aerosol or elevation is out of range
 View view_of(const ViewRequest& request, const almanac::SkyState& sky);
 
 /// A moonrise or a moonset.

@@ -25,9 +25,9 @@ struct EclipseShader {
 /// Makes the shader for a whole eclipse, or for one moment of it. For one moment, the light is computed in a single
 /// plane, which passes through the middle of the Moon's near half.
 ///
-/// Accuracy  The shader's light times the sunlit Moon differs from a baked Moon by at most the strip's error, relative
-///           to the brightest channel, plus the baked Moon's own error. In the umbra, add 1 % for ground whose colour
-///           is not the Moon's mean colour
+/// Accuracy  The sunlit Moon multiplied by the shader's light differs from a baked Moon by at most LightStrip::error,
+///           relative to the brightest channel, plus the baked Moon's own error. In the umbra, add 1 % for ground whose
+///           colour is not the Moon's mean colour
 /// Throws    Error  if light_strip does
 EclipseShader eclipse_shader(const eclipse::Eclipse& eclipse, const ShaderRequest& request,
                              const algebra::Progress& progress = {},

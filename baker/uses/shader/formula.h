@@ -23,7 +23,7 @@ inline constexpr const char *number_type = "float", *vector_type = "vector3",
 ///     "place"     input: vector of any length that points from the Moon's centre to the ground, in Moon-fixed axes
 ///     "time"      input: seconds from greatest eclipse
 ///     "constant"
-///     "image"     the strip, linearly interpolated at u and v; v is measured from the image's top
+///     "image"     the image of the shadow's light (LightStrip), interpolated linearly at u and v; v is 0 at the top
 struct Step {
   std::string operation, type;
   std::vector<std::size_t> operands{};  ///< indices of earlier steps

@@ -18,8 +18,8 @@ namespace {
 constexpr std::array fewest_stretches{180, 240, 80, 90};
 constexpr int most_times = 4;
 
-/// Limits on the error of linear interpolation between texels, relative to the brightest channel. If any error exceeds
-/// `good_enough`, the numbers of columns or rows whose errors exceed `between_nodes` are doubled.
+/// Limits on interpolation errors, relative to the brightest channel. If any error exceeds `good_enough`, the number of
+/// rows is doubled if the error between rows exceeds `between_nodes`. The columns of each stretch are treated likewise.
 constexpr double good_enough = 6e-3, between_nodes = 4e-3;
 
 constexpr double rounding =
@@ -30,7 +30,7 @@ constexpr int usual_bands = 100;
 /// edge's own distance from the axis varies by less than 30 km.
 constexpr double before_m = 320e3, about_m = 60e3, behind_m = 480e3;
 
-/// Axis distances at which refracted light is computed [m]. They are closer together where light from high rays ends.
+/// Axis distances for refracted light [m], denser around the umbra's edge, where light refracted high in the air ends.
 std::vector<double> distances_to(double reach_m, double begins_m) {
   constexpr double spacing_m = 25e3, close_m = 5e3, from_m = 450e3;
   std::vector<double> distances{0};

@@ -23,11 +23,11 @@ struct ShaderRequest {
   std::optional<atmosphere::Sightline> sightline{};
 };
 
-/// Light in the Earth's shadow, stored as one small image that shaders read:
+/// Light in one or two planes across the Earth's shadow, stored as one small image that shaders read:
 ///
-///     columns   distances from the shadow's axis in the middle plane, evenly spaced within each of four stretches
+///     columns   distances from the shadow's axis halfway between the planes, evenly spaced in each of four stretches
 ///     rows      equally spaced position angles from celestial north through east, with the first angle repeated at
-///               the end; all rows of the nearest plane come first, then those of the next plane
+///               the end; all rows of the plane nearest to the Earth come first, then those of the other plane
 ///     texel     square roots of light relative to full sunlight, for ground of the Moon's mean colour
 ///
 /// A column follows a line from the Earth's limb, so its axis distance differs between planes (shadow::sheared).
@@ -56,8 +56,8 @@ struct LightStrip {
 /// Given     sky        at greatest eclipse or at the single moment; the air and the Sun's distance follow from it
 ///           nearest_km, farthest_km  depths of the first and last plane [km]; if equal, there is only one plane
 /// Accuracy  estimated in `error`, as the largest interpolation error between texels plus the largest difference of
-///           the light from a finer quadrature at some 1700 places (750 with regions). At 95 % of other places, the
-///           true error is smaller, even if `error` is above 1 %
+///           the light from a finer quadrature at some 1700 places (750 if parts of the Earth's limb have different
+///           air). At 95 % of other places, the true error is smaller, even if `error` is above 1 %
 /// Throws    Error      if refracted_light does
 LightStrip light_strip(const ShaderRequest& request, const almanac::SkyState& sky,
                        double nearest_km, double farthest_km,

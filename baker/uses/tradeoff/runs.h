@@ -66,12 +66,12 @@ inline const RunLimits quick_limits{.longest_s = 3, .short_s = 0.1};
 
 /// Runs every trial of the sweeps, in order.
 ///
-/// The time of a trial is that of the solver, including its tables. In the sweep of texture widths, it is the time for
-/// baking the texture, and the picture's error is relative to the widest texture. A photon trial that would take longer
-/// than the limit is extrapolated from smaller trials that differ only in photons and step. Its time is a constant for
-/// the tables, plus a time proportional to photons / step. Its errors scale as N^(-1/2) with N photons.
+/// A trial's time is the time that its solver takes, look-up tables included. In the sweep of texture widths, it is the
+/// time for baking the texture, and the picture's error is relative to the widest texture. A photon trial that would
+/// take longer than the limit is extrapolated from smaller trials that differ only in photons and step. Its time is a
+/// constant for the tables, plus a time proportional to photons / step. Its errors scale as N^(-1/2) with N photons.
 ///
-/// Omits  the saturation of CIEDE2000 above about 10, where extrapolated values are up to two times too small
+/// Omits  the saturation of CIEDE2000 above about 10, where an extrapolated value may be as low as half the true value
 std::vector<Measured> measured_trials(std::span<const Sweep> sweeps, Yardstick& yardstick,
                                       const RunLimits& limits,
                                       const algebra::Progress& progress = {});

@@ -18,7 +18,7 @@ inline constexpr double most_replicas = 1000;
 struct Trial {
   plan::Solver solver = plan::Solver::quadrature;
   double photons = 0, step_km = 0, wavelengths = 200, rays = 0;
-  /// Number of copies of each photon, evenly spaced around the shadow's axis. Light falls in 1000 / replicas sectors.
+  /// Copies of each photon, spaced evenly around the shadow's axis. Light is binned into 1000 / replicas sectors.
   double replicas = 0;
   double texture_width = 512;
 

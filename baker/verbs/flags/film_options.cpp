@@ -211,7 +211,8 @@ eclipse::Eclipse eclipse_of(const FilmOptions& options,
   for (const auto& text : {options.eclipse, options.from, options.to,
                            options.moments.substr(0, options.moments.find(','))})
     if (eclipse::begins_with_digit(text)) return eclipse_near(text, options.calendar);
-  if (!options.eclipse.empty()) almanac::instant_from_utc(options.eclipse);  // throws with advice
+  // This call is made only for its error, whose message gives the allowed forms of a date.
+  if (!options.eclipse.empty()) almanac::instant_from_utc(options.eclipse);
   throw algebra::Error(
       fmt::format("from {} to {} of which eclipse? Name a day near it, as 2018-07-27", options.from,
                   options.to));

@@ -51,7 +51,7 @@ eclipse::Eclipse eclipse_of(const FilmOptions& options,
 ///                the Moon is never up
 uses::FilmTimes times_of(const FilmOptions& options, const uses::ViewRequest& view = {});
 
-/// Shortens a film to the time while the Moon is above the observer's horizon. A beginning or end that the user gave is
+/// Shortens a film to the time when the Moon is above the observer's horizon. A beginning or end that the user gave is
 /// kept. The times and the recipe's parameters are changed, and the change is reported on stderr.
 ///
 /// Throws  Error  if the Moon is below the horizon during the whole film

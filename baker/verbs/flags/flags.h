@@ -67,7 +67,7 @@ void add_described(Verb& verb, Request& request) {
   add_flags(verb, std::move(parameters));
 }
 
-/// Adds the parameters of a request that a function such as uses::describe_map selects and describes.
+/// Adds flags for some members of `request`: those that the function `some`, such as uses::describe_map, describes.
 template <class Request>
 void add_described(Verb& verb, Request& request,
                    void (*some)(request::Parameters&, std::type_identity_t<Request>&)) {

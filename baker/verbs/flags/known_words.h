@@ -18,8 +18,8 @@ bool holds(const std::vector<std::string>& words, std::string_view word);
 /// marched; …". Empty if no earlier version had a flag or key of this name.
 std::string_view since_there_is_no(std::string_view flag);
 
-/// Suggestion for an unknown flag, such as "; did you mean --field?". The suggestion names the flag that other programs
-/// call by the unknown name, or a flag with almost the same spelling. Empty if there is neither.
+/// Suggestion for an unknown flag, such as "; did you mean --field?". It names the flag for which other programs use
+/// the unknown name, or else a flag with almost the same spelling. Empty if there is neither.
 std::string flag_suggested_for(std::string_view flag, const std::vector<std::string>& known);
 
 /// Suggestion for an unknown command, such as "; did you mean still?". Empty if there is none.

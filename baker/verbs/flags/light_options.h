@@ -29,7 +29,7 @@ void add_photon_file_options(Verb& verb, LightOptions& options);
 /// Throws  Error  if the flags contradict one another
 uses::LightRequest light_request(const LightOptions& options);
 
-/// Warns on stderr if no air makes the eclipse as dark or as bright as --danjon requests.
+/// Warns on stderr if scaling the air cannot make the eclipse as dark or as bright as --danjon requests.
 void say_unless_danjon_is_reached(const uses::Air& air, const almanac::SkyState& sky);
 
 }  // namespace coppermoon::verbs

@@ -13,8 +13,8 @@ void print_fit(const uses::FitReport& found);
 /// Prints how the light of each photograph and channel differs from the fitted air. Prints nothing without photographs.
 void print_misfits(const uses::FitReport& found);
 
-/// One-line message for a fit in which no air explains the data. It states χ², the photograph and channel with the
-/// largest misfit, and what to try.
+/// One-line message for a fit whose best model of the air does not explain the data. It states χ², the photograph and
+/// channel with the largest misfit, and what to try.
 std::string misfit_in_words(const uses::FitReport& found);
 
 }  // namespace coppermoon::verbs

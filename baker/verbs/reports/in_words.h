@@ -40,7 +40,7 @@ std::string bright_sky_in_words(double sky_over_moon);
 std::optional<std::string> unseen_in_words(const uses::Circumstances& night,
                                            const almanac::Instant& when);
 
-/// A tone curve's difference from the mean of cameras, such as "+0.40, +0.13, +0.23 standard deviations of cameras".
+/// Principal components of a tone curve (components_of), "+0.40, +0.13, +0.23 standard deviations of cameras".
 std::string in_words(const colour::ToneCurve& curve);
 
 /// Warning that a fitted tone curve is unlike that of any camera; empty if the curve is plausible.

@@ -72,8 +72,8 @@ std::string program() {
   return "coppermoon";
 }
 
-/// Environment variable that lists the recipes being read, one per line. Each recipe uses the next as its map. The
-/// variable passes the list to the program, which may itself read a recipe with this reader.
+/// Environment variable that lists the recipes being read, one per line. Each recipe names the next as its albedo map.
+/// The variable passes the list to the program, which may itself read a recipe with this reader.
 constexpr const char* variable_of_recipes = "COPPERMOON_RECIPES_BEING_READ";
 
 /// Returns the list of recipes being read, with the given recipe appended.

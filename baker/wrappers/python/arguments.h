@@ -27,8 +27,8 @@ namespace coppermoon::python {
 
 namespace py = pybind11;
 
-/// A moment of an eclipse. It is given as a datetime with a time zone, an ISO 8601 text, NumPy's datetime64 (UTC), a
-/// day alone, which stands for its greatest eclipse, or a day with a contact, moonrise or moonset.
+/// A moment of an eclipse, given as a datetime with a time zone, NumPy's datetime64 (UTC), an ISO 8601 string, or a day
+/// with a contact, moonrise or moonset. A day alone stands for the greatest eclipse on that day.
 struct Moment {
   std::string text;
   std::optional<almanac::Instant> instant{};  ///< set instead of `text` for a datetime
@@ -39,7 +39,7 @@ struct Moment {
   }
 };
 
-/// The date at which a search starts, ends or is centred. It is given like a Moment, but a day alone is its midnight.
+/// The date at which a search starts, ends or is centred. It is given like a Moment, but a day alone means its 0 h UTC.
 struct Date {
   almanac::Instant instant;
 };
@@ -60,7 +60,7 @@ almanac::Instant instant_of_date(py::handle date);
 /// Throws  Error  if the year is outside 1 to 9999, because a datetime cannot hold it
 py::object datetime_of(const almanac::Instant& instant);
 
-/// Converts a text that utc_text wrote, with milliseconds, to a datetime.
+/// Converts a UTC time with milliseconds, as utc_text writes it, to a datetime.
 py::object datetime_of(const std::string& text);
 
 /// Throws  Error  if no city has the name, or a number is out of range

@@ -131,7 +131,7 @@ Parameters parameters_of(uses::LightRequest& light) {
   all.add(request::parameter("--tolerance", light.wish.tolerance,
                              "largest relative error of luminance on the disc, 1e-4 to 0.5"))
       .within(1e-4, 0.5)
-      .usual.clear();  // no default, because a budget may replace it
+      .usual.clear();  // no default, because users may set a time budget instead
   all.add(request::parameter("--budget-s", light.wish.budget_s,
                              "time that the light may take [s], 1e-3 to 1e7"))
       .within(1e-3, 1e7);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names, types, values and docstrings that the parameters of requests have in Python. The module and its type stub are
-// made from them.
+// Python names, types, values and docstrings of parameters. The Python module and its type stub are made from these.
 #pragma once
 
 #include <string>
@@ -20,7 +19,7 @@ request::Parameters parameters_of(uses::Air& air);
 request::Parameters parameters_of(uses::AirRegion& region);
 request::Parameters parameters_of(uses::LightRequest& light);
 
-/// The requests that the keyword arguments of `bake` set, with their defaults.
+/// Settings that the keyword arguments of Python's `bake` change, with their default values.
 struct TextureKeywords {
   uses::MoonRequest moon{.texture_width = 4096};
   uses::ViewRequest view{};
@@ -28,7 +27,7 @@ struct TextureKeywords {
                                .type = texture::ExrType::floating};
 };
 
-/// The requests that the keyword arguments of `dome` set, with their defaults.
+/// Settings that the keyword arguments of Python's `dome` change, with their default values.
 struct DomeKeywords {
   TextureKeywords moon{.moon = {}};
   uses::DomeRequest dome{.content = {.space = colour::WorkingSpace::linear_rec709,

@@ -93,7 +93,7 @@ void take_value(Parameter& parameter, py::handle value) {
   }
   try {
     parameter.take(texts_of(parameter, value));
-  } catch (const algebra::Error& error) {  // the message names the parameter as recipes do
+  } catch (const algebra::Error& error) {  // its message spells the name as recipes do: "ozone-du"
     const std::string why = error.what();
     const bool named = why.starts_with(parameter.name + " ");
     throw algebra::Error(named ? name_of(parameter) + why.substr(parameter.name.size()) : why);

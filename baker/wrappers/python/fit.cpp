@@ -62,7 +62,7 @@ std::vector<uses::MeasuredMagnitude> measured_by(const py::iterable& rows) {
   return all;
 }
 
-/// The set of unknowns with the given name. Without a name it is nullopt, so that the fit chooses by its air.
+/// The set of unknowns with the given name; nullopt if no name is given, so that the fit picks a set to suit its air.
 std::optional<uses::Unknowns> unknowns_named(const std::optional<std::string>& name) {
   if (!name) return std::nullopt;
   if (*name == "factors") return uses::Unknowns::factors;

@@ -25,7 +25,7 @@ struct Told {
 template <result::Described Result>
 Told<Result> told(const Result& result);
 
-/// Converts one of a result's values to the Python object that Told stores.
+/// Converts one of a result's values to the Python object that is stored in Told::values.
 template <class Value>
 py::object kept(const Value& value) {
   if constexpr (result::is_a<Value, std::optional>) {

@@ -127,7 +127,7 @@ export class LimbRays {
     const kind = this.parts[part];
     const depth = aerosolDepth(air, kind);
     const asItWas = depth > 0 && depth === kind.aerosolDepth;
-    // clearness scales the month's recorded aerosol profile, as in the program, but the slider uses a standard profile
+    // steps on Danjon's scale multiply the recorded aerosol, as coppermoon does; the dust slider has a standard profile
     const scaled = !asItWas && depth > 0 && air.dust === null && kind.aerosolRecorded && kind.aerosolDepth > 0;
     const weights = factors(air, kind, this.limb.absorbers), stratosphere = this.limb.absorbers.indexOf('stratosphere');
     if (asItWas) weights[stratosphere] = 1;

@@ -13,11 +13,11 @@ uniform mat3 moonFromShadow; // rotation from the shadow's axes to Moon-fixed ax
 uniform float earthRadius;
 uniform float au;
 
-// Table of log2 of light. Rows are planes and sectors. Columns are nodes, each for the reddest, then the bluest ground.
+// log2 of light: a row for each depth and position angle; two columns (reddest, bluest ground) for each axis distance
 uniform sampler2D light;
 uniform int nodes, sectors;
-uniform vec3 ends, stretches;  // axis distances at which stretches of nodes end, and their numbers of nodes
-uniform vec2 depths;         // depths of the two planes
+uniform vec3 ends, stretches;  // ends of three ranges of axis distance, and number of nodes in each range
+uniform vec2 depths;         // distances of the table's two planes behind the Earth's centre
 uniform float middleDepth;
 
 uniform sampler2D map;       // logarithm of albedo, scaled to 0 to 1
@@ -150,12 +150,12 @@ void main() {
 uniform float exposure;      // pixel value for 1 cd/m²; a value of 1 is saturated
 uniform int look;            // 0: plain sRGB; 1: view from a table; 2: false colours by stops; 3: hue-preserving view
 uniform sampler3D view;
-uniform vec2 viewCode;       // gain and stops of the view table's axes
+uniform vec2 viewCode;       // gain and stops: `view` is read at log2(1 + gain x) / stops of each channel x
 uniform float viewSize;
 uniform vec3 around;         // light of the sky around and in front of the Moon [cd/m²]
 uniform float fullMoon;      // luminance of a full Moon [cd/m²]
 uniform vec3 stopColours[10];
-uniform float darker;        // factor that darkens the colour for the fainter of two stops
+uniform float darker;        // two stops share a false colour, which this factor darkens for the fainter stop
 out vec4 colour;
 
 vec3 srgb(vec3 light) {

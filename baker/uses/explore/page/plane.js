@@ -7,8 +7,8 @@ export const stretches = [150, 110, 80];
 export const nodes = stretches[0] + stretches[1] + stretches[2] + 1, sectors = 96;
 export const colours = 4;  // number of colours: red, green, blue and V
 export const channels = 2 * colours;  // all colours on the reddest ground, then all on the bluest
-// Widths of bins of axis distance, which collect light from the Sun's centre. Wide bins cover the inner shadow. Narrow
-// bins begin where rays that pass the limb at a height of 25 km land, because direct sunlight begins there.
+// Widths of bins of axis distance, which collect light from the Sun's centre. Narrow bins begin where rays at a height
+// of 25 km land and direct sunlight begins: highRaysKm nearer to the axis than an unbent ray at sea level lands.
 const wideKm = 30, narrowKm = 5, highRaysKm = 360;
 const limbKm = 6390, oneLimbKm = 1500;  // same values as shadow::limb_m and one_limb_m
 

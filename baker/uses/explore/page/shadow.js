@@ -34,7 +34,7 @@ export class Shadow {
     this.endKm = landing(top, 0, sunDistance, depths[1]) + facts.sun.radiusKm * depths[1] / sunDistance;
     const begins = landing(top, 0, sunDistance, this.middleDepth) -
       facts.sun.radiusKm * this.middleDepth / sunDistance;  // axis distance at which direct sunlight begins
-    this.ends = [begins - 160, begins + 440, this.endKm];  // axis distances at which stretches of nodes end
+    this.ends = [begins - 160, begins + 440, this.endKm];  // axis distances at which ranges of equal node spacing end
     this.planes = depths.map((depth) => new Plane(this, depth));
   }
 
@@ -52,7 +52,7 @@ export class Shadow {
   setAir(air) {
     this.air = air;
     this.landed = this.planes.map(() => []);
-    this.spectral = [];  // series for each wavelength, computed when first needed
+    this.spectral = [];  // light at each wavelength, as a series in position angle; computed when first needed
     for (let p = 0; p < this.rays.parts.length; ++p)
       for (let w = 0; w < this.waves; ++w) {
         const {paths, amounts} = this.followed(air, p, w);
