@@ -34,10 +34,12 @@ drawn() {
 takes() { [ -z "${COPPERMOON_TURN:-}" ] || [ $((COPPERMOON_TURN % $2)) -eq "$1" ]; }
 
 # Each source and each public header by itself: none lives on what another includes. tests/run.sh compiles many at once.
+# And the check of what rooms include, tried on planted faults.
 compiled_alone() {
   sh examples/build.sh all_verify_interface_header_sets packages.tests.debian
   cmake --preset release -B build/alone -DCMAKE_UNITY_BUILD=OFF
   cmake --build build/alone --target coppermoon_program
+  test_release -R '^layering/includes_planted$'
 }
 
 quick_in_release() {

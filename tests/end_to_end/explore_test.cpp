@@ -289,7 +289,7 @@ TEST_F(ExploreLight, IsThatOfABakedTexture) {
 const Words after_an_eruption{"2022-05-16T03:29:07Z"};
 const Asked light_after_an_eruption(page_2022, [] { return light_at(after_an_eruption); });
 
-TEST_F(ExploreLight, IsThatOfABakedTextureAfterAnEruption) {
+TEST_F(ExploreLightThoroughly, IsThatOfABakedTextureAfterAnEruption) {
   expect_light_of_bakes(light_after_an_eruption.answer(), after_an_eruption);
 }
 

@@ -102,7 +102,9 @@ TEST_F(Fit, ExplainsAStillInTheAirOfItsMonth) {
   }
 }
 
-TEST_F(Fit, ExplainsTheUmbraBesideABurntCrescent) {
+using FitThoroughly = Fit;
+
+TEST_F(FitThoroughly, ExplainsTheUmbraBesideABurntCrescent) {
   constexpr const char* instant = "2018-07-27T19:04:28Z";
   make(words_of("still {} --at Nairobi --width 900 --height 600 --time 1 -o st.png", instant));
   const auto found = fit(words_of("st.png --instants {} --at Nairobi", instant));
@@ -114,8 +116,6 @@ TEST_F(Fit, ExplainsTheUmbraBesideABurntCrescent) {
                   "the usual air, within four standard errors");
   }
 }
-
-using FitThoroughly = Fit;
 
 TEST_F(FitThoroughly, SeesThroughTheFiltersOfThePhotographsCamera) {
   photograph("300", "--bits 16 --response canon-eos-600d");

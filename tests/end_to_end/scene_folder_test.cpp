@@ -193,7 +193,9 @@ TEST_F(SceneFolder, ShowsTheSkyThatAStillHas) {
   }
 }
 
-TEST_F(SceneFolder, OfTheTutorialsLakeRenders) {
+using SceneFolderThoroughly = SceneFolder;
+
+TEST_F(SceneFolderThoroughly, OfTheTutorialsLakeRenders) {
   expect_done(
       coppermoon("scene 2018-07-27T21:39:00Z --at 52.9,-3.9 --rays 50 --albedo-map built-in "
                  "--texture-width 256 -o scene"));

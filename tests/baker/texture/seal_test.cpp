@@ -3,6 +3,7 @@
 
 #include "baker/texture/scratch_folder.h"
 #include "support/testing.h"
+#include "support/thorough.h"
 #include "texture/openimageio/encode.h"
 #include "texture/write_image.h"
 
@@ -15,12 +16,14 @@ class Seal : public ScratchFolder {
       image_.values[i] = static_cast<float>(i % 97) / 8;
   }
 
-  /// No byte of the file may be another: all of its beginning, where the header is, and some of it all.
+  /// No byte of the file may be another: of those at its beginning, where the header is, all or a fifth, and some of the
+  /// others.
   void expect_every_byte_counts(const std::filesystem::path& path) const {
     const auto whole = bytes_of(path);
     EXPECT_TRUE(is_sealed(path));
     const auto other = in_folder("spoilt.exr");
-    for (std::size_t at = 0; at < whole.size(); at += at < 600 ? 1 : 37) {
+    const std::size_t step = support::thorough() ? 1 : 5;
+    for (std::size_t at = 0; at < whole.size(); at += step * (at < 600 ? 1 : 37)) {
       auto bytes = whole;
       bytes[at] = static_cast<char>(bytes[at] ^ 1);
       std::ofstream(other, std::ios::binary) << bytes;
