@@ -38,7 +38,7 @@ takes() { [ -z "${COPPERMOON_TURN:-}" ] || [ $((COPPERMOON_TURN % $2)) -eq "$1" 
 compiled_alone() {
   sh examples/build.sh all_verify_interface_header_sets packages.tests.debian
   cmake --preset release -B build/alone -DCMAKE_UNITY_BUILD=OFF
-  cmake --build build/alone --target coppermoon_program
+  cmake --build build/alone --target coppermoon_program quick_tests heavy_tests
   test_release -R '^layering/includes_planted$'
 }
 
