@@ -309,6 +309,10 @@ TEST_F(Fit, ReadsAnInstantForEachPhotograph) {
   EXPECT_SAYS(refused("dot.png other.png --instants 2018-07-20T20:40:00Z,2018-07-27T20:40:00Z "
                       "--albedo-map built-in"),
               "no lunar eclipse at 2018-07-20");
+  const auto told = coppermoon(
+      "fit dot.png --instants '2018-07-27 U1+40min' --albedo-map built-in --atmosphere undated");
+  EXPECT_SAYS(told.err, "2018-07-27 U1+40min is 2018-07-27 19:04:28 UTC");
+  EXPECT_SAYS(told.err, "no Moon found");
 }
 
 TEST_F(FitThoroughly, TakesTheGlowOfALitCrescentOffItsUmbra) {
