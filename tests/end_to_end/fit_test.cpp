@@ -304,7 +304,7 @@ TEST_F(FitThoroughly, OfAStrangersNightFindsTheClock) {
 }
 
 TEST_F(Fit, ReadsAnInstantForEachPhotograph) {
-  run("oiiotool --create 20x16 3 -o dot.png");
+  run("oiiotool --create 80x64 3 -o dot.png");
   std::filesystem::copy(here("dot.png"), here("other.png"));
   EXPECT_SAYS(refused("dot.png other.png --instants 2018-07-20T20:40:00Z,2018-07-27T20:40:00Z "
                       "--albedo-map built-in"),
@@ -392,7 +392,7 @@ TEST_F(FitThoroughly, RefusesWhatItCannotExplain) {
             "coppermoon: c.csv:2: a line of fewer columns than the first\n");
   file("d.csv", "instant,band,magnitude\n2018-07-28T20:40:00Z,V,3\n");
   EXPECT_SAYS(refused("--magnitudes d.csv"), "no lunar eclipse");
-  run("oiiotool --create 20x16 3 -o dot.png");
+  run("oiiotool --create 80x64 3 -o dot.png");
   EXPECT_EQ(refused("dot.png --instants 2018-07-27T20:40:00Z --albedo-map built-in"),
             "coppermoon: dot.png: height of a picture [pixels] = 10, allowed 16 to 65535\n");
 }
