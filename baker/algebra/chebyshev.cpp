@@ -31,7 +31,7 @@ std::vector<std::vector<double>> chebyshev_series(const std::vector<std::vector<
 }
 
 std::vector<double> power_series(std::span<const double> chebyshev) {
-  // uses the recurrence of Chebyshev polynomials, T_k+1 = 2 x T_k − T_k−1
+  // uses the recurrence of Chebyshev polynomials, T_{k+1} = 2 x T_k − T_{k−1}
   const auto n = chebyshev.size();
   std::vector<double> sum(n), before(n), now(n);
   if (n > 0) now[0] = 1;

@@ -74,7 +74,7 @@ class Bits {
   int left_ = 0;
 };
 
-/// Random permutation of the 1024 intervals: the halves are swapped or not, then the quarters in each half, and so on.
+/// Random permutation of 1024 equal intervals: swaps the halves or not, then the quarters in each half, and so on.
 std::array<std::uint32_t, points_a_block> scrambling(Random& random) {
   std::array<std::uint32_t, points_a_block> place{}, finer{};
   Bits bits(random);

@@ -23,7 +23,7 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-/// The rows of a table, without its heading. The name in each row, as plain_name writes it, is added as a last cell.
+/// The rows of a table, without its header. Each row gets a last cell with its name in lower case, without accents.
 Rows rows_of(std::string_view text, std::size_t name_column = 0) {
   auto rows = algebra::parse_text_table(text);
   rows.erase(rows.begin());

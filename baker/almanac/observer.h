@@ -20,7 +20,7 @@ struct ObserverView {
   glm::dvec3 north;                  ///< unit vector to the celestial pole of date, in GCRS axes
   algebra::Angle altitude, azimuth;  ///< of the Moon's centre; azimuth is from north through east
   algebra::Angle
-      parallactic_angle;          ///< from celestial north through east to the zenith, at the Moon
+      parallactic_angle;          ///< angle at the Moon from celestial north through east to zenith
   algebra::Length moon_distance;  ///< from the observer to the Moon's centre
   SelenographicPoint sub_observer;  ///< the place in the middle of the disc (topocentric libration)
 };

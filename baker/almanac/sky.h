@@ -25,7 +25,7 @@ struct SkyState {
 /// Computes positions and orientations at a moment with one of the two lunar theories (ephemeris.h).
 ///
 /// Accuracy  compared with DE431 from 2007 to 2010, 1 km for the Moon's position, and 0.01° for libration, sub-solar
-///           point and axis. Tables of libration without aberration differ by 20.5″, or 0.0057°
+///           point and axis. Published librations that neglect aberration differ by 20.5″, or 0.0057°
 /// Source    precession and nutation: IAU 2006/2000A (ERFA eraPnm06a)
 SkyState sky_at(const Instant& instant, LunarTheory theory = LunarTheory::elp_2000_82b);
 

@@ -41,8 +41,8 @@ void require_valid(const Column& column) {
     throw algebra::Error("density = seasonal, allowed with the air of a latitude and a season");
 }
 
-/// Altitudes at which integrals over the density are divided [m]: those where its slope jumps. With Density::seasonal,
-/// the slope does not jump. The altitudes are then chosen so that few quadrature nodes suffice in each interval.
+/// Altitudes at which an integral over altitude is split [m]: those where the slope of the density jumps. Seasonal air
+/// has no such jumps; its altitudes are chosen so that few quadrature nodes suffice in each interval.
 std::vector<double> density_breaks(const Column& column) {
   if (column.density == Density::seasonal)
     return {column.tropopause_m - tropopause_wander_m, column.tropopause_m + tropopause_wander_m,
@@ -85,7 +85,7 @@ algebra::Wavelength wavelength_of(const Optics& optics) {
   return algebra::nanometres(optics.wavelength_nm);
 }
 
-/// One row of the table of absorbers.
+/// Properties of one absorber.
 struct Constituent {
   Absorber absorber;
   std::string_view group;
@@ -93,7 +93,7 @@ struct Constituent {
   double (*profile)(const Column&, double altitude_m);
   double (*spectrum)(const Column&, const Optics&);
   double (*scattering)(const Column&, double cosine) = nullptr;  ///< nullptr for a pure absorber
-  /// Edges of the profile; nullptr means that they are those of the density.
+  /// Altitudes at which the profile's formula changes; nullptr if they are those at which the density's changes.
   Edges (*edges)(const Column&) = nullptr;
   double Column::*cloud_or_aerosol = nullptr;  ///< amount, if the constituent is cloud or aerosol
 };
@@ -203,7 +203,7 @@ constexpr std::array amounts_that_may_differ{&Column::dust_extinction_per_m, &Co
                                              &Column::cloud_cover, &Column::cloud_per_m,
                                              &Column::stratospheric_factor};
 
-/// All columns of an atmosphere, including those that are replaced by belts.
+/// All columns of an atmosphere, even a `column` that has no effect because `belts` replace it.
 std::vector<Column*> every_column(Atmosphere& air) {
   std::vector<Column*> all;
   const auto add = [&](Column& column, Belts& belts) {

@@ -126,16 +126,16 @@ struct Atmosphere {
 
   /// Whether the air is the same along the whole limb.
   bool one_column() const { return regions.empty() && belts.empty(); }
-  /// Whether some part of the limb lies between belts.
+  /// Whether, in some part of the limb, light is interpolated between belts of air.
   bool belted() const { return columns().size() > 1 + regions.size(); }
   /// Whether light does not depend on the position angle: a sphere with one column.
   bool symmetric() const { return one_column() && earth.sphere(); }
   /// Whether the air along the western half of the limb mirrors that along the eastern half.
   bool mirrored() const;
-  /// Altitude where the air of the highest column ends [m].
+  /// Altitude up to which any column has air [m].
   double top_m() const;
   double top_radius_m() const { return earth.equatorial_radius_m + top_m(); }
-  /// The columns outside all regions, followed by those of each region. If there are belts, they replace the column.
+  /// Columns of air outside all regions, then those of each region: one for each belt or, without belts, `column`.
   std::vector<const Column*> columns() const;
   /// Number of the region that contains a position angle, counted from 1; 0 outside all regions.
   std::size_t region_index(double position_angle_rad) const;
@@ -154,7 +154,7 @@ Atmosphere with_fewer_belts(Atmosphere atmosphere);
 /// Combines several atmospheres. Each column of the result has the largest amounts of dust, ozone, cloud and
 /// stratospheric aerosol that the corresponding column has in any of them.
 ///
-/// Given   airs   one or more atmospheres that differ only in these amounts and share their tables
+/// Given   airs   one or more atmospheres that differ only in these amounts and share tables such as SeasonalAir
 /// Throws  Error  when there is no atmosphere, or they differ in anything else
 Atmosphere richest(std::span<const Atmosphere> airs);
 

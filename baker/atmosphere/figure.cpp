@@ -28,7 +28,7 @@ Limb limb_at(const Figure& figure, double position_angle_rad) {
     return x / (a * a) + (1 / (b * b) - 1 / (a * a)) * glm::dot(pole, x) * pole;
   };
   const double along = glm::dot(z, A(z));
-  const glm::dvec3 x = outward - glm::dot(z, A(outward)) / along * z;  // A x is perpendicular to z
+  const glm::dvec3 x = outward - glm::dot(z, A(outward)) / along * z;  // A(x) is perpendicular to z
   const double radius = 1 / std::sqrt(glm::dot(x, A(x)));
   return {radius, radius * glm::length(A(x)) / along};
 }

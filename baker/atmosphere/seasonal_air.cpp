@@ -19,7 +19,7 @@ constexpr double knot_m = 1e3, below_ground_m = 3e3;
 constexpr double gravity_over_gas_constant = 9.80665 * 28.9644e-3 / 8.31432;  // [K/m]
 constexpr double geopotential_radius = 6356766, sea_level_k = 288.15;
 
-/// Weight of the July models in the northern hemisphere: 1 in mid July, 0 in mid January.
+/// Weight of the model atmospheres for July in the northern hemisphere: 1 in mid July, 0 in mid January.
 double summer(double year) {
   constexpr double mid_january = 15 / 365.25;
   return (1 - std::cos(2 * std::numbers::pi * (year - mid_january))) / 2;

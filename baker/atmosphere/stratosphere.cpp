@@ -110,7 +110,7 @@ struct BandRecord {
     return sum;
   }
 
-  /// Interpolates a value linearly between the middles of the bands on either side of a latitude.
+  /// Interpolates a value linearly to a latitude, between the middles of the two nearest bands of latitude.
   template <class Value>
   double between(algebra::Angle latitude, Value value) const {
     const auto place = algebra::on_line(middles, algebra::in_degrees(latitude));
@@ -130,7 +130,7 @@ double over_the_tropopause(double altitude_m, double tropopause_m) {
   return smooth_step((altitude_m - tropopause_m) / 2e3 + 1);
 }
 
-/// Extinction as a function of altitude, over a latitude in a month, summed over the layers of the record.
+/// Extinction as a function of altitude, over a latitude in a month, summed over the three layers of BandRecord.
 algebra::MonotoneCubic recorded_extinction(double year, algebra::Angle latitude,
                                            double tropopause_m) {
   const auto& bands = record();

@@ -43,7 +43,7 @@ double stratospheric_spectrum(StratosphericAerosol aerosol, algebra::Wavelength 
 ///           and a third for the aerosol of Hunga (from January 2022); 30 % in 2025; 20 to 50 % before 1979. For
 ///           eruptions before 1850, only the year is known, not the hemisphere
 /// Source    from 1979 on, GloSSAC (Thomason et al. 2018, Earth Syst. Sci. Data 10, 469, and version 2.23), with the
-///           eruptions of MSVOLSO2L4 (Carn) in the boxes of EVA_H (Aubry et al. 2020), and OMPS-LP in 2025; from 1850
+///           eruptions of MSVOLSO2L4 (Carn) in the model EVA_H (Aubry et al. 2020), and OMPS-LP in 2025; from 1850
 ///           on, Sato et al. (1993); before, Toohey & Sigl (2017), as in IPCC AR6 WG1 ch. 7
 double stratospheric_optical_depth(double year, algebra::Angle latitude);
 

@@ -10,7 +10,7 @@ namespace coppermoon::atmosphere {
 /// Given     latitude  −90° to 90°; constant beyond 85°
 ///           year      its fractional part gives the season: 2018.5 is July
 /// Returned  [m]       16 400 in the tropics, 8000 to 15 400 elsewhere
-/// Accuracy  0.7 km compared with single balloon soundings
+/// Accuracy  0.7 km compared with individual balloon soundings
 /// Throws    Error     when the latitude is outside its range
 /// Source    Mateus, Mendes & Pires (2022), Remote Sens. 14, 4303, for a tropopause at 3.5 potential vorticity units
 double tropopause_m(algebra::Angle latitude, double year);

@@ -19,7 +19,7 @@ constexpr std::size_t channels = 3;
 constexpr std::array azimuths_deg{0., 15., 30., 45., 60., 90., 120., 150., 180.};
 enum Air : std::size_t { standard, clear, hazy, more_ozone, high, airs };
 
-/// Logarithms of light from the table, as [air][Sun][altitude][azimuth][channel]. The Sun's altitudes descend.
+/// Logarithms of light from the table, as [air][Sun][altitude][azimuth][channel]. The Sun's altitude decreases.
 struct LightTable {
   std::vector<double> suns_deg, altitudes_deg, log_light;
 
@@ -66,8 +66,8 @@ std::array<double, airs> shares_of(const ObserverAir& air) {
   return shares;
 }
 
-/// Logarithms of the sky's light for one altitude of the Sun and one air: [altitude in the sky][azimuth][channel].
-/// Below the table's lowest solar altitude, they continue to fall at the mean rate between the two lowest ones.
+/// Logarithms of the sky's light for a solar altitude and the observer's air: [altitude in the sky][azimuth][channel].
+/// Below the table's lowest solar altitude, they continue to fall at the mean rate between its two lowest altitudes.
 std::vector<double> light_under(const LightTable& table, double sun_deg,
                                 const std::array<double, airs>& shares) {
   const auto& suns_deg = table.suns_deg;
@@ -108,8 +108,8 @@ std::array<double, columns> around(const std::array<double, azimuths_deg.size()>
   return light;
 }
 
-/// Makes light rise steadily to its maximum along a vertical circle and fall steadily after it. The dips that are
-/// filled, of less than 1 %, come from interpolation between altitudes of the Sun.
+/// Makes light rise steadily to its maximum along a vertical circle and fall steadily after it. This fills dips of less
+/// than 1 %, which come from interpolation between altitudes of the Sun.
 void fill_dips(std::vector<double>& up) {
   const auto greatest = std::ranges::max_element(up);
   for (auto i = up.begin(); i != greatest; ++i) *(i + 1) = std::max(*i, *(i + 1));

@@ -12,8 +12,8 @@ namespace coppermoon::atmosphere {
 /// Light of a clear twilight sky in every direction: sunlight scattered any number of times in a spherical atmosphere.
 ///
 /// Interpolates the logarithms in twilight_sky.csv by the Sun's altitude and the observer's aerosol, ozone and
-/// elevation. If the Sun is below -16 degrees, where the table ends, the light continues to fall at the mean rate found
-/// there.
+/// elevation. The table ends with the Sun at -16 degrees. Below, the light in all directions continues to fall at the
+/// same rate: the mean rate of the sky's light just above -16 degrees.
 ///
 /// Given     sun_altitude  of the Sun's centre, airless; -90 to 5 degrees
 /// Accuracy  of the light: a quarter with the Sun down to -6 degrees, a third with the Sun at -12 degrees; the zenith

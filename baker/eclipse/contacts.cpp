@@ -21,7 +21,7 @@ using almanac::LunarTheory;
 enum class Edge { umbra, penumbra };
 enum class Touch { outside, inside };
 
-/// Angle [rad] from the shadow's edge to the Moon's limb: 0 at a contact, negative in the phase between two contacts.
+/// Angle [rad] from the shadow's edge to the Moon's limb: 0 at a contact, negative between the two contacts of a pair.
 double gap(const Sighting& sighting, ShadowConvention convention, Edge edge, Touch touch) {
   const auto radii = shadow_radii(convention, sighting.axis, sighting.moon);
   const double shadow = algebra::in_radians(edge == Edge::umbra ? radii.umbra : radii.penumbra);

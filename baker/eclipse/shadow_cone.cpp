@@ -29,7 +29,7 @@ double limb_ratio(const ShadowAxis& axis, const ShadowPlace& moon) {
   return limb.radius_m / atmosphere::earth_equatorial_radius_m;
 }
 
-/// Sum πm + πs of the parallaxes, and the Sun's semidiameter, both enlarged according to a convention.
+/// Sum πm + πs of the parallaxes, and the Sun's semidiameter, both enlarged as a shadow convention demands.
 struct Enlarged {
   double parallaxes, semidiameter;
 };

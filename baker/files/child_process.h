@@ -43,8 +43,8 @@ bool run_heard(const Program& program, const Hearing& hearing);
 /// Runs a program to its end.
 ///
 /// Given   result  receives the program's standard output; nullptr discards it
-/// Throws  Error   like run_heard; if the program fails, with the first line of its messages; if its output is empty or
-///                 incomplete (require_whole)
+/// Throws  Error   as for run_heard; also if the program fails, with the first line of its messages, or if its output
+///                 is empty or incomplete
 void run_program(const Program& program, const Handle* result = nullptr);
 
 /// Throws if a program left a file empty or truncated (has_its_end), even if the program reported success.
@@ -56,7 +56,7 @@ void require_whole(const Handle& file, const std::string& by);
 /// Runs a program to its end and returns what it wrote to its standard output.
 ///
 /// Given   program  must not write more than 4096 bytes
-/// Throws  Error    like run_heard; if the program fails, with the last line of its messages
+/// Throws  Error    as for run_heard; also if the program fails, with the last line of its messages
 std::string output_of(const Program& program);
 
 /// Path with which a program can open its own standard output as a seekable file.

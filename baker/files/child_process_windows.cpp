@@ -168,7 +168,7 @@ void start(RunningProgram& running, const Program& program, const Streams& strea
     throw Error(fmt::format("{}: cannot be run: {}", program.words[0], last_error().message()));
   const auto thread = owned(made.hThread);
   running.id = reinterpret_cast<std::intptr_t>(made.hProcess);
-  if (program.outlives_us) return;  // never suspended: this process may end before ResumeThread
+  if (program.outlives_us) return;  // was not suspended: this process might end before resuming it
   running.tree = job_that_ends();
   ::AssignProcessToJobObject(system_handle(running.tree), made.hProcess);
   ::ResumeThread(made.hThread);

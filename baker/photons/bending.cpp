@@ -42,8 +42,8 @@ double tangent_height(const Air& air, double impact_height_m, double top_m) {
   return std::midpoint(low, high);
 }
 
-/// Inserts further breaks between altitudes, because the integrand is nearly singular in a piece that begins just above
-/// the tangent height. Afterwards, √(r − r_t) grows by a factor of at most four within every piece but the first.
+/// Inserts further altitudes between those given, because the integrand is nearly singular just above the tangent
+/// radius r_t. Afterwards, √(r − r_t) grows by a factor of at most four within every interval but the first.
 std::vector<double> with_short_pieces_first(std::vector<double> breaks) {
   constexpr double longest = 16;
   const double bottom_m = breaks.front(), top_m = breaks.back();
@@ -65,7 +65,7 @@ std::vector<double> pieces_above(double bottom_m, const Column& column, double t
   if (column.seasonal_air)
     for (double h = knees_apart_m; h < knees_below_m; h += knees_apart_m) breaks.push_back(h);
   std::sort(breaks.begin(), breaks.end());
-  constexpr double rounding_m = 1e-11;  // breaks closer to the bottom are rounding errors
+  constexpr double rounding_m = 1e-11;  // closer altitudes differ only by rounding errors
   std::erase_if(breaks, [&](double h) {
     return h != bottom_m && h != top_m && (h < bottom_m + rounding_m || h > top_m);
   });
@@ -90,10 +90,10 @@ struct HalfRay {
   Air air;
   LimbPath path;
   double at_tangent = air.optical_excess(path.tangent_height_m);
-  /// n r − b at the lower end of the current piece, if that end is close to the tangent point.
+  /// n r − b, with b the impact parameter, at the lower end of the current piece if close to the tangent point [m].
   double over_b_m = 0;
 
-  /// Closer than this to the tangent point, n r − b is not computed as a difference, because rounding would spoil it.
+  /// Height above the tangent point below which n r − b is not found by subtraction, which would lose most digits.
   static constexpr double close_m = 1e-4;
 
   /// The difference n r − b. Close to the tangent point, it is found from the piece's lower end and the slope of n r.
@@ -119,7 +119,7 @@ struct HalfRay {
   void end(const Piece& piece) {
     const double above_m = piece.to_m - path.tangent_height_m;
     if (above_m > close_m) return;
-    const double h = std::midpoint(piece.from_m, piece.to_m);  // slopes jump at the piece's ends
+    const double h = std::midpoint(piece.from_m, piece.to_m);  // not an end, where slopes may jump
     over_b_m =
         over_b(piece, above_m, atmosphere::density_ratio(air.column, h), air.earth_radius_m + h);
   }

@@ -64,7 +64,7 @@ std::vector<LimbPath> limb_paths(double tangent_height_m, double earth_radius_m,
 /// Refraction and extinction of a ray past the limb, at one wavelength.
 struct LimbRay {
   double tangent_height_m, bending_rad;
-  double transmittance;  ///< exp(−optical depth) times limb_filter, for cloud and an ozone filter
+  double transmittance;  ///< exp(−optical depth), times transmittance of cloud and ozone filter
   double optical_depth;  ///< sum over all absorbers along the path
 };
 

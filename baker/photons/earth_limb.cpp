@@ -51,7 +51,7 @@ std::vector<algebra::QuadratureNode> nodes_between(double from, double to, int h
   return all;
 }
 
-/// Sets coefficients to 0 if they are only rounding errors, and drops the highest harmonics if they are 0 in all parts.
+/// Sets coefficients to 0 if they are rounding errors, and drops the highest harmonics if they are 0 in all series.
 void drop_negligible(std::vector<WholeLimb::Series>& all) {
   constexpr double negligible = 1e-12;
   std::size_t count = 1;

@@ -12,8 +12,8 @@ namespace coppermoon::photons {
 
 std::size_t parts_of_limb(const atmosphere::Atmosphere& atmosphere);
 
-/// The Earth's limb, divided into parts that each have a table of rays. The column of air of a Belt is one part, with
-/// the ground's radius at the belt. Any other column is one part if the Earth is a sphere. On an ellipsoid it has two
+/// The Earth's limb, divided into parts that each have a table of rays. Each belt of air is one part, with the
+/// ground's radius at the belt. Any other column is one part if the Earth is a sphere. On an ellipsoid it has two
 /// parts, for the equator and for the pole. Light at a position angle is then the mean of these two, weighted by sin²
 /// and cos² of the angle. Columns that do not occur on the limb have no part.
 class WholeLimb {
@@ -47,7 +47,7 @@ class WholeLimb {
 
   /// Fan of rays through one part of the limb, at one wavelength.
   ///
-  /// Given  optics  its refractivity must be within the range for which the limb was made
+  /// Given  optics  its refractivity must be within the range of those passed to the constructor
   ///        air     the limb's atmosphere, or one that differs only in amounts of absorbers (see LimbTable::fan)
   Fan fan(std::size_t part, const atmosphere::Optics& optics,
           const atmosphere::Atmosphere& air) const {

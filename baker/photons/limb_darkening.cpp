@@ -42,7 +42,7 @@ double slope(const DiscFunction& a, double mu) {
   return sum;
 }
 
-/// Mean, over the Sun's disc, of the product of two functions of the cosine μ: 2 ∫ f g μ dμ.
+/// Mean, over the Sun's disc, of the product of two functions of the cosine μ of the emission angle: 2 ∫ f g μ dμ.
 double mean_product(const DiscFunction& f, const DiscFunction& g) {
   double sum = 0;
   for (const auto& node : algebra::gauss_legendre(8)) {

@@ -43,10 +43,10 @@ struct DiscLayers {
 /// Throws    Error           if limb-darkened and a wavelength is outside its range
 DiscLayers disc_layers(std::span<const double> wavelengths_nm, bool limb_darkened);
 
-/// Polynomial in the cosine μ, Σ a_k μ^k.
+/// Polynomial Σ a_k μ^k, with μ the cosine of the angle between the light and the vertical on the Sun.
 using DiscFunction = std::array<double, 6>;
 
-/// The Sun's disc as a sum of a few functions of the cosine μ, which are the same at all wavelengths.
+/// The Sun's disc as a sum of a few functions of the cosine of the emission angle, the same at all wavelengths.
 struct DiscTerms {
   std::vector<DiscFunction> functions;
   algebra::Grid<double>

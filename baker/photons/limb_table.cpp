@@ -35,7 +35,7 @@ LimbPath path_of(double tangent_height_m, const Path& all) {
   return path;
 }
 
-/// Tangent heights at which a fan must have rays: ground, breaks, cloud top, top of the column and top of all air.
+/// Tangent heights at which a fan must have rays: ground, breaks of profiles, tops of cloud, column and all air.
 std::vector<double> stations(const Column& column, double top_m) {
   auto heights = atmosphere::breaks_m(column);
   heights.insert(heights.end(), {0, std::max(top_m, heights.back())});
@@ -45,7 +45,7 @@ std::vector<double> stations(const Column& column, double top_m) {
   return heights;
 }
 
-/// Interval of tangent heights that contains no break of the profiles.
+/// Interval of tangent heights in which the slopes of the profiles do not jump.
 struct HeightRange {
   double low_m, high_m;
 
@@ -106,7 +106,7 @@ std::vector<double> chebyshev_roots(double least, double greatest, int count) {
 }
 
 /// Measures how much the difference between two paths matters. Bending counts in milliradians, because one milliradian
-/// displaces a ray's landing by the distance over which light changes by a factor e. Differences in optical depth count
+/// shifts a ray at the Moon by the distance over which light changes by a factor e. Differences in optical depth count
 /// as they are, or less if the transmittance is small.
 class Significance {
  public:

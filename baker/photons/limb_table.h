@@ -12,7 +12,7 @@ namespace coppermoon::photons {
 struct Fan {
   std::vector<double> tangent_height_m, impact_height_m, bending_rad;
   std::vector<double> optical_depth;  ///< [ray], summed over all absorbers along the path
-  std::vector<double> filter;         ///< [interval between rays], from atmosphere::limb_filter
+  std::vector<double> filter;         ///< [ray interval], transmittance of cloud and ozone filter
 };
 
 /// Refractivities at which rays are traced, so that rays of all wavelengths can be interpolated between them.
@@ -22,8 +22,8 @@ struct Fan {
 std::vector<double> refractivity_nodes(const atmosphere::Column& column,
                                        std::span<const atmosphere::Optics> optics, int count);
 
-/// Weights for interpolating a ray at one wavelength from rays of the same tangent height, traced at
-/// refractivity_nodes.
+/// Weights for interpolating a ray at one wavelength from rays of the same tangent height, traced at a few
+/// refractivities (refractivity_nodes).
 ///
 ///     δ = Σ s_k δ_k        τ = Σ s_k β · a_k
 ///
@@ -33,7 +33,7 @@ struct Blend {
   double refractivity;                          ///< n₀ − 1; 0 if refraction is off
   std::vector<double> shares;                   ///< Lagrange weights s_k
   std::vector<atmosphere::Amounts> extinction;  ///< products s_k β
-  double cloudy, clear;  ///< limb_filter for paths below and above the cloud's top
+  double cloudy, clear;  ///< transmittance of filters for paths below and above the cloud's top
 };
 
 Blend blend(const atmosphere::Column& column, const atmosphere::Optics& optics,

@@ -10,27 +10,27 @@
 namespace coppermoon::plan {
 namespace {
 
-/// Times [s] for single steps on one core of the machine on which they were measured: AVX-512 at 3 GHz, under load.
+/// Time [s] of each step of the computation, measured on one core of a machine with AVX-512 at 3 GHz, under load.
 struct Costs {
-  double ray_followed = 8e-6;  ///< time per traced ray; each limb part needs 250 or more
+  double ray_followed = 8e-6;  ///< time to trace a ray; each part of the limb needs 250 or more
   double fan_ray = 58e-9;      ///< time per interpolated ray and wavelength
-  double landed_ray = 160e-9;  ///< time to add up light where a ray lands, per wavelength and plane
+  double landed_ray = 160e-9;  ///< time to add up a ray's light, per wavelength and shadow plane
   double place = 33e-6;        ///< time to divide the Sun's disc into parts, per point in shadow
-  double place_term = 6e-6;    ///< time for disc integrals per point, limb-darkening term, harmonic
-  /// time to add up light as a series, per point, limb-darkening term, harmonic, part of the limb and wavelength
+  double place_term = 6e-6;    ///< time of a disc integral, per point, harmonic and darkening term
+  /// time to add up the light of one part of the limb as a series, per point, darkening term, harmonic and wavelength
   double place_wavelength = 74e-9;
-  /// time to turn a harmonic to an angle, per point, angle, limb-darkening term, part of the limb and harmonic
+  /// time to evaluate a harmonic at a position angle for one part of the limb, per point and limb-darkening term
   double angle_harmonic = 30e-9;
-  /// time to add up light at an angle, per point, angle, limb-darkening term, part of the limb and wavelength
+  /// time to add up light from one part of the limb at a position angle, per point, limb-darkening term and wavelength
   double angle_wavelength = 30e-9;
   double lookup = 6e-3;
   double trial = 45e-3;  ///< time to find how much refraction, flattening, scattering etc. matter
   double twilight = 40e-3, twilight_wavelength = 1e-3;
-  double photon_wavelength = 2.2e-9;  ///< time per photon, wavelength and plane, without sectors
-  double sectors_dearer = 8;          ///< factor by which gathering in sectors takes longer
+  double photon_wavelength = 2.2e-9;  ///< time per photon, wavelength and plane, in symmetric light
+  double sectors_dearer = 8;          ///< slowdown of photons if light is not symmetric
   double photon_literal = 163e-6;
-  double together = 1.75;  ///< measured time for the light / sum of its steps' estimated times
-  double start = 0.22;     ///< time to start the program and its image libraries, for a texture
+  double together = 1.75;  ///< measured time for the light / sum of the estimates above
+  double start = 0.22;     ///< time to start the program and load image libraries
   double texel = 48e-9;    ///< time per texel to light it and to write it
   double map_file = 0.2;
 };
@@ -55,16 +55,16 @@ double distances(const Work& work, const Scene& scene) {
   return across_m / 100e3 + 2 + 26 * share * std::max(0., std::log10(0.1 / work.place_error));
 }
 
-/// Time on one core [s] to compute light at a number of places, after the landings of all rays have been computed.
+/// Time on one core [s] to compute light at a number of places, once the light of all rays is added up where they land.
 double seconds_of_places(const Work& work, const Scene& scene, double places) {
   const Costs cost;
   const bool regions = work.regions && scene.columns > 1;
   const double waves = 8 * std::ceil(work.bands / 8.);
   const double terms = scene.limb_darkening ? work.sun_terms : 1;
   const bool ellipsoid = work.ellipsoid && scene.ellipsoid;
-  const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // half an ellipsoid's tables of rays
+  const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // a sphere has half as many parts
   const double parts = regions ? fewer * static_cast<double>(scene.parts) : ellipsoid ? 2 : 1;
-  // Regions need fifty harmonics on average. Together they cost as much as 25 single ones, as all read the same bins.
+  // Regions need 50 harmonics on average. As all read the same sums of light, they cost as much as 25 computed singly.
   const double harmonics = regions ? (scene.borders ? 25 : 11) : ellipsoid ? 2 : 1;
   const double series =
       cost.place + terms * harmonics * (cost.place_term + cost.place_wavelength * parts * waves);
@@ -88,7 +88,7 @@ double seconds_of_quadrature(const Work& work, const Scene& scene, double distan
   const Costs cost;
   const bool ellipsoid = work.ellipsoid && scene.ellipsoid;
   const bool regions = work.regions && scene.columns > 1;
-  const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // half an ellipsoid's tables of rays
+  const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // a sphere has half as many parts
   const double parts = regions ? fewer * static_cast<double>(scene.parts) : ellipsoid ? 2 : 1;
   const double rays = work.rays;
   // More rays need more divisions of the Sun's disc and, if the air has sharp borders, more harmonics too.
@@ -153,7 +153,7 @@ double predicted_seconds(const Work& work, const Scene& scene, const Machine& ma
                                 : dearer * cost.photon_wavelength * work.bands * work.planes;
     light += 0.05 + work.photons * a_photon;
   }
-  const double map = scene.map_file ? cost.map_file : 0;  // only one core reads the map
+  const double map = scene.map_file ? cost.map_file : 0;  // only one core reads the albedo map
   const double start = scene.texels > 0 ? cost.start : 0;
   const double all = start + cost.together * light + cost.texel * scene.texels + map;
   return std::max(map, all / cores(machine)) / machine.speed;

@@ -34,8 +34,8 @@ Knob knob(std::vector<double> settings, const std::optional<Member>& by_hand,
           [member](Work& work, double value) { work.*member = static_cast<Member>(value); }};
 }
 
-/// One knob for each effect of the enumeration Term: off or on, or only off if the effect changes nothing. Refraction
-/// is always on if its absence would exceed the tolerance, because coarse refracted light may be worse than none.
+/// One setting (Knob) for each effect of the enumeration Term: off or on, or only off if the effect changes nothing.
+/// Refraction is always on if its absence would exceed the tolerance, because coarse refraction may be worse than none.
 std::vector<Knob> switches(double tolerance, const Scene& scene, const ByHand& by_hand) {
   const auto term = [&](bool Work::*member, bool there, bool always = false) -> Knob {
     std::vector<double> settings{0};
@@ -221,7 +221,7 @@ Work finer(const Work& work) {
                    ? std::clamp(work.rays, fine_rays / 2, most_rays / 2) * 2
                    : fine_rays;  // an error of 3e-4, about the noise of ten billion photons
   finer.planes = 1;
-  // light is compared only where it is computed, so this setting only decides how close together the places are
+  // the check compares light only at axis distances computed here, so this tolerance only decides how many there are
   finer.place_error = 0.01;
   return finer;
 }

@@ -37,13 +37,13 @@ struct Work {
   int bands = 200;               ///< number of wavelength bands
   int rays = 1000;               ///< number of rays in the limb table and the quadrature
   int sun_terms = 6;             ///< number of terms that represent the limb-darkened Sun
-  int planes = 2;                ///< number of shadow planes across the Moon's depth
+  int planes = 2;                ///< number of shadow planes, spread over the Moon's depth
   double place_error = 1e-3;     ///< tolerance for interpolation between axis distances
 };
 
-/// Finer settings, whose light is the reference for the error of the given work: one plane, all terms of refracted
-/// light, one more term for the Sun, and twice as many bands and rays. None is coarse, because two coarse settings may
-/// share an error. Photons are compared with a quadrature whose rays err by less than the photons' noise.
+/// Settings finer than the given ones, for reference light from which their error is found: one plane, all terms of
+/// refracted light, one more term for the Sun, and twice as many bands and rays. None is coarse, because two coarse
+/// settings may err alike. Photons are compared with a quadrature whose rays err by less than the photons' noise.
 Work finer(const Work& work);
 
 /// Settings made by the user; the plan chooses those that are absent.
@@ -60,8 +60,8 @@ struct ByHand {
 struct Scene {
   double nearest_m = 0, farthest_m = 0;  ///< least and largest axis distance of the Moon's disc
   bool limb_darkening = true, ellipsoid = true;
-  std::size_t columns = 1;  ///< number of columns of air; more than 1 with regions or belts
-  std::size_t parts = 1;    ///< number of parts of the limb with separate rays, if columns > 1
+  std::size_t columns = 1;  ///< number of columns of air; more than 1 if the air varies with place
+  std::size_t parts = 1;    ///< number of parts of the limb, each with its own rays, if columns > 1
   bool borders = false;     ///< whether the air changes abruptly somewhere, as with regions
   double texels = 0;        ///< number of texels in the baked texture; 0 without a texture
   bool map_file = false;    ///< whether an albedo map is read

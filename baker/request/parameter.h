@@ -89,7 +89,7 @@ struct Parameter {
   std::vector<std::pair<std::string, std::string>> endings{};
   std::string usual{};    ///< the default, which is the field's initial value; empty if none
   std::string heading{};  ///< heading under which help lists the parameter
-  std::string table{};    ///< TOML table for it in recipes, such as "camera"; empty if none
+  std::string table{};    ///< TOML table in recipes, such as "camera"; empty if there is none
   Affects affects = Affects::ground;
   bool planned = false;  ///< if true, a result's recipe holds planned settings instead of the value
   bool many = false;     ///< may be given several times, and all its values are used

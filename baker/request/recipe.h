@@ -22,7 +22,7 @@ struct Setting {
   bool bare = false;            ///< whether TOML needs no quotes: for numbers, true and false
   std::string table{};  ///< TOML table in which the setting stands; empty if it stands in none
   Affects affects = Affects::ground;
-  std::string where{};  ///< file and line from which it was read, such as "moon.toml:3: "
+  std::string where{};  ///< file and line of the setting, such as "moon.toml:3: "
 
   bool has_value() const { return !texts.empty() || !parts.empty(); }
 };

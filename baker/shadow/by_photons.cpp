@@ -35,7 +35,7 @@ struct Workplace {
       : tally(cells, waves), light(batch, padded(waves)), landing_m(light) {}
 };
 
-/// Sums over blocks of photons, indexed by (row of the tally, wavelength).
+/// Sums over blocks of photons, indexed by (cell of a shadow plane, wavelength), as in a Tally.
 struct BlockSums {
   Grid<double> sum, sum_of_squares;
 
@@ -170,7 +170,7 @@ void add_blocks(const Simulation& simulation, BlockRange blocks, BlockSums& sums
     next = std::min(blocks.to, from + size);
     return {from, next};
   };
-  // reports after every block, though the count grows only by ranges of blocks, because the callback may cancel the run
+  // called after every block, because it may cancel the run, though the reported count grows only by ranges of blocks
   const auto tell = [&] { progress.tell(); };
   const auto trace = [&](BlockRange range) -> Part {
     return {range, std::make_shared<BlockSums>(simulation.simulated(range, tell))};
@@ -225,7 +225,7 @@ PhotonSums no_photons(const Atmosphere& atmosphere, const Arrangement& arrangeme
           nothing};
 }
 
-/// Adds a tally's rows to the grids of planes and sectors. The outermost ring, for all light farther out, is left out.
+/// Adds a Tally's rows to one grid for each plane and sector. The ring for all light farther out is left out.
 void add(const Grid<double>& rows, std::vector<Grid<double>>& grids) {
   for (std::size_t g = 0; g < grids.size(); ++g)
     for (std::size_t r = 0; r < grids[g].rows(); ++r)

@@ -32,12 +32,12 @@ struct PhotonSettings {
 
 /// Traces photons to find the refracted light in any atmosphere. More photons can be added to the resulting sums.
 ///
-/// A literal photon has one wavelength, drawn at random. It leaves a random point of the solar disc towards a random
-/// point of the ring of air around the Earth. On every plane, it is gathered in the ring of axis distances (and the
-/// sector) where it lands. A photon traced with the table carries all wavelengths, and a block of these photons is
-/// stratified in tangent height and in the direction and distance of landing (LimbLandings). With one sector, each
-/// photon stands for all position angles, which requires symmetric air. Blocks are traced until none is left or, if
-/// there is a stopping rule, in batches that double in size until the rule is met.
+/// A literal photon (traced step by step) has one random wavelength. It leaves a random point of the solar disc towards
+/// a random point of the ring of air around the Earth. On every plane, it is gathered in the ring of axis distances
+/// (and the sector) where it lands. A photon traced with the table carries all wavelengths, and a block of these
+/// photons is stratified in tangent height and in the direction and distance of landing (LimbLandings). With one
+/// sector, each photon stands for all position angles, which requires symmetric air. Blocks are traced until none is
+/// left or, if there is a stopping rule, in batches that double in size until the rule is met.
 ///
 /// Given     before   earlier sums, whose blocks are not traced again
 /// Returned  the sums of `before` and of the new blocks. With the table, they are bit-identical for any number of

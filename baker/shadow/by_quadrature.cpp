@@ -24,12 +24,12 @@ using algebra::Grid;
 using atmosphere::Atmosphere;
 using std::numbers::pi;
 
-/// Highest harmonic in the Fourier series of the limb's parts around the position angle; it grows with the number of
-/// rays. Omitted harmonics cause these worst errors (means in brackets), at 400 to 700 nm up to 6000 km from the axis:
-/// 13 belts of air, 48 harmonics compared with 192: 1e-4 (3e-6), or 4e-4 (2e-5) with dust in every other belt;
-/// regions, 160 harmonics compared with integrals along arcs that end at the regions' borders: 6e-3 (5e-5) if a region
-/// has the aerosol of a great eruption, 2e-2 (1e-4) if a region has dust that transmits a hundredth;
-/// luminance of 300 rays compared with 160 harmonics: 5e-4 (3e-5) with 24 for belts, 7e-4 (7e-6) with 75 for regions.
+/// Highest harmonic of the position angle in the limb parts' Fourier series; it grows with the number of rays. Omitted
+/// harmonics cause these largest (and mean) errors at 400 to 700 nm, up to 6000 km from the axis. For 13 belts of
+/// latitude, 48 harmonics differ from 192 by 1e-4 (3e-6), or by 4e-4 (2e-5) if every other belt has dust. For regions,
+/// 160 harmonics differ from integrals that end at the regions' borders by 6e-3 (5e-5) if a region has the aerosol of a
+/// great eruption, by 2e-2 (1e-4) if it has dust that transmits a hundredth. With 300 rays, the luminance differs from
+/// that of 160 harmonics by 5e-4 (3e-5) if 24 are used for belts, and by 7e-4 (7e-6) if 75 are used for regions.
 int highest_harmonic(const Atmosphere& atmosphere, int rays) {
   if (atmosphere.one_column()) return 2;  // an ellipsoid needs no higher harmonic
   return atmosphere.regions.empty() ? std::clamp(rays / 16, 24, 48) : std::clamp(rays / 4, 75, 160);
@@ -38,9 +38,9 @@ int highest_harmonic(const Atmosphere& atmosphere, int rays) {
 /// Width of the bins of landing distance in which light is gathered, inversely proportional to the number of rays.
 double bin_width_m(int rays) { return std::clamp(1.2e6 / rays, 100., 50e3); }
 
-/// Position angles at which light is computed, and for each sector the index of the angle whose light it uses. With
-/// belts, a sector and its mirror image use the same angle. Sectors that were not requested have no index. For an
-/// ellipsoid with one column of air, light is computed only towards the pole and the equator.
+/// Position angles at which light is computed, and for each sector the index of the angle whose light it uses. If the
+/// air in the west mirrors that in the east, a sector and its mirror image use the same angle. Sectors that were not
+/// requested have no index. For an ellipsoid with one column of air, light is computed only towards pole and equator.
 struct Directions {
   std::vector<double> angles_rad;
   std::vector<std::optional<std::size_t>> of_sector = {};

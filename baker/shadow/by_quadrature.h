@@ -19,8 +19,8 @@ struct QuadratureSettings {
   /// rays, and narrower in proportion with more rays
   int rays = 300;
   int sun_terms = 6;  ///< number of terms for a limb-darkened disc (photons::disc_terms), 1 to 6
-  /// sectors to compute, out of 4 to 360 sectors around the axis; the others stay dark. If the air has a single column,
-  /// all sectors are computed
+  /// sectors to compute, out of 4 to 360 sectors around the axis; the others stay dark. If the air is the same
+  /// everywhere, all sectors are computed
   Sectors sectors{sectors_around};
   /// highest harmonic of the position angle, 2 to 160; a lower one is used if it suffices for the air and the rays
   int harmonics = 160;
@@ -47,7 +47,7 @@ struct QuadratureSettings {
 /// bins with the mean of Φ. A place needs some forty stretches, however many bins there are. For a limb-darkened disc,
 /// Φ is an integral of the disc's radiance along the arc (photons::DiscTerms).
 ///
-/// Light from a part of the limb (photons::WholeLimb: a region, a belt, the equator or the pole of an ellipsoid) is
+/// Light from a part of the limb (photons::WholeLimb: a region, a belt of latitude, an ellipsoid's equator or pole) is
 /// weighted by that part's share w of the limb at the position angle ψ from which the light comes:
 ///
 ///     w(ψ) = Σ c_m cos mψ + s_m sin mψ        E = Σ (c_m cos mθ + s_m sin mθ) E_m

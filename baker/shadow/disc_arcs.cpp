@@ -17,7 +17,7 @@ using algebra::Grid;
 using std::numbers::pi;
 
 constexpr int nodes_an_edge = 4;
-const double gauss_node = std::sqrt(0.6);  // the three nodes are −gauss_node, 0 and gauss_node
+const double gauss_node = std::sqrt(0.6);  // the Gauss nodes: −gauss_node, 0 and gauss_node
 
 /// Quadrature node t, between 0 and π/2, for half an arc: sin t, and the node's weight times cos t.
 struct ArcNode {
@@ -64,13 +64,13 @@ const std::vector<ArcNode>& arc_nodes(int highest, double half_arc_rad) {
   return finer[std::min(i, finer.size() - 1)];
 }
 
-/// Width of the widest stretches [bins], over which the highest harmonic changes by only a fraction of a period.
+/// Greatest width of a Stretch [bins]. Over it, the highest harmonic changes by only a fraction of a period.
 int widest(double a, int highest) {
   if (highest <= 2) return 48;
   return static_cast<int>(std::clamp(3 * a / highest, 1., 24.));
 }
 
-/// Divides an interval of bins into stretches that become narrower towards both ends, and adds their limits to `ends`.
+/// Divides a range of bins into intervals (Stretch) that are narrower towards both ends, and adds their ends to `ends`.
 void add_graded(int from, int to, int widest, std::vector<int>& ends) {
   std::vector<int> upper;
   for (int width = 1; from < to; width = std::min(2 * width, widest)) {
@@ -87,7 +87,7 @@ void sort_out(std::vector<int>& values) {
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-/// The Sun's disc, projected around a place in the shadow. All lengths are in bins.
+/// The Sun's disc, projected around a place in the shadow. The unit of length is the width of a bin of axis distance.
 struct Disc {
   const photons::DiscTerms& sun;
   double gamma, a;
@@ -128,7 +128,7 @@ struct Disc {
     add_harmonics(cosines, shed, light);
   }
 
-  /// Mean of the arc integrals over bins at the disc's edge, integrated over √(distance from the nearer edge).
+  /// Mean of the integrals along arcs (add_arc) over a bin at the disc's edge, by quadrature in √(distance from it).
   Grid<double> mean_over(int from, int to) const {
     auto mean = darkness();
     std::vector<double> ends{static_cast<double>(from), static_cast<double>(to)};
@@ -146,7 +146,7 @@ struct Disc {
     return mean;
   }
 
-  /// Ends of the stretches, which are narrower towards the disc's edges.
+  /// Ends of the intervals (Stretch) into which the disc is divided; they are narrower towards the disc's edges.
   std::vector<int> ends() const {
     std::vector<int> cuts, all;
     for (const double edge : edges)

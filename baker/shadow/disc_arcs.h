@@ -10,12 +10,12 @@
 
 namespace coppermoon::shadow {
 
-/// Interval of distances from the axis, in whole bins. In it, the integral along an arc within the projected Sun's disc
-/// is approximated by a quadratic in the arc's radius, which is given by its values at three Gauss nodes.
+/// Interval of axis distance that consists of whole bins. In it, the integral along an arc within the projected Sun's
+/// disc is approximated by a quadratic in the arc's radius, which is given by its values at three Gauss nodes.
 struct Stretch {
   int from, to;
-  /// [Gauss node, nearest to the axis first](term of the disc, harmonic m): ∫ f(μ) cos mψ dψ along the arc [rad], with
-  /// the term f, and with ψ counted from the position angle of the place
+  /// the integrals ∫ f(μ) cos mψ dψ [rad] along the arcs at the three Gauss nodes, nearest to the axis first, indexed
+  /// by (limb-darkening term f, harmonic m); ψ is counted from the position angle of the place
   std::array<algebra::Grid<double>, 3> light;
 };
 
@@ -26,10 +26,10 @@ std::array<double, 3> square_through(double from, double to, const std::array<do
 /// Stretch is narrower near the disc's edges, because an arc's length varies there as the square root of the distance
 /// from the edge. At the edges, stretches are one bin wide and hold the mean over the bin.
 ///
-/// Given     gamma    axis distance of the place, in bins
-///           a        radius of the disc, in bins
+/// Given     gamma    axis distance of the place, in bin widths
+///           a        radius of the disc, in bin widths
 ///           highest  highest harmonic to integrate
-///           from, to  axis distances, in bins, between which stretches are wanted
+///           from, to  axis distances, in bin widths, between which results are wanted
 std::vector<Stretch> disc_stretches(const photons::DiscTerms& sun, double gamma, double a,
                                     int highest, int from, int to);
 

@@ -52,8 +52,8 @@ class ExponentialShare {
   double over_whole_;
 };
 
-/// Rays at one wavelength: where they land, in bins, and the light they carry. They range from the ground up to two
-/// rays beyond the last one that lands within reach. Those two rays are needed to interpolate between rays.
+/// Rays at one wavelength: the axis distance where they land, in bin widths, and the light they carry. They range from
+/// the ground up to two rays beyond the last one that lands within reach. Those two are needed for interpolation.
 struct Rays {
   std::vector<double> place, impact_m, depth, transmittance;
 
@@ -105,8 +105,8 @@ class Gatherer {
       spread(rays.place[j], rays.place[i], light, -k);
   }
 
-  /// Adds light that lands between two places, with a density that varies exponentially from one to the other. Light
-  /// grows or falls by a constant factor per bin, counted from the brighter end, because the darker end may be 0.
+  /// Adds light that lands between two places, with a density that varies exponentially from one to the other. It
+  /// steps from bin to bin with a constant factor, beginning at the brighter end, because light at the other may be 0.
   void spread(double from, double to, double light, double steepness) const {
     const auto bin = static_cast<int>(std::floor(from));
     if (to <= bin + 1) return put(bin, (from + to) / 2, to - from, light);
@@ -127,7 +127,7 @@ class Gatherer {
     if (last < last_) put(last, (last + to) / 2, to - last, light - up_to(last));
   }
 
-  /// Adds light that is spread evenly over a bin, or part of a bin, to the node at the bin's upper end.
+  /// Adds light that is spread evenly over a bin, or part of a bin, to the sums at the bin's upper boundary.
   void put(int bin, double middle, double width, double light) const {
     double* row = sums_ + static_cast<std::size_t>(bin + 1 - first_) * row_size;
     row[0] += light;

@@ -23,16 +23,16 @@ struct LandingPlane {
   double bin_m;    ///< width of the bins of axis distance
   double reach_m;  ///< axis distance beyond which light that has not crossed the axis is left out
 
-  /// Index after the last bin that is needed for light that lands up to `farthest` bins from the axis.
+  /// One more than the index of the last bin needed for light that lands up to `farthest` bins from the axis.
   int end_of(double farthest) const;
 };
 
-/// Cumulative moments of landed light, ∫ r^m T b db, with the transmittance T and the impact parameter b, at evenly
-/// spaced nodes of r, the signed axis distance on one plane, in bins. The integral covers those rays of one part of the
-/// limb that land at a smaller r than the node. One object holds the moments for a block of wavelengths.
+/// Cumulative moments of landed light, ∫ r^m T b db, with the transmittance T, the impact parameter b, and the signed
+/// axis distance r on one plane, in bin widths. There is one integral for each boundary between bins (node). It covers
+/// those rays of one part of the limb that land at a smaller r than the node. One object holds a block of wavelengths.
 ///
-/// Between rays, r is interpolated linearly and T exponentially, once between neighbours and once between every other
-/// ray. By Richardson extrapolation, 4/3 of the first result less 1/3 of the second leaves errors of fourth order in
+/// Between rays, r is interpolated linearly and T exponentially, once with all rays and once with every other ray left
+/// out. By Richardson extrapolation, 4/3 of the first result less 1/3 of the second leaves errors of fourth order in
 /// the spacing of the rays.
 class LandedLight {
  public:
@@ -40,7 +40,7 @@ class LandedLight {
   ///        radius_m  radius of the ground at the limb
   LandedLight(std::span<const photons::Fan> fans, const LandingPlane& plane, double radius_m);
 
-  /// Index of the first node, and of the last. No light lands before the first, and light after the last is left out.
+  /// Index of the first and last bin boundary (node). No light lands before the first. Light after the last is omitted.
   int first() const { return first_; }
   int last() const { return last_; }
 

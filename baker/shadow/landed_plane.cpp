@@ -17,7 +17,7 @@ namespace {
 using photons::WholeLimb;
 using std::numbers::pi;
 
-/// Number of position angles at which the shares of the limb's parts are tabulated.
+/// Number of position angles in the table of which parts of the limb lie where (Around::here_).
 constexpr int looked_at = 1440;
 
 /// Number of harmonics needed for light at an axis distance, given in radii of the projected Sun. Fewer are needed near
@@ -26,9 +26,9 @@ std::size_t harmonics_at(double solar_radii) {
   return static_cast<std::size_t>(9 + 48 * solar_radii);
 }
 
-/// Adds the two end nodes of a stretch. The first is shared with the previous stretch if that one ends there.
+/// Adds the nodes of LandedLight at both ends of a Stretch, unless the previous one has already added the first node.
 ///
-/// Returned  index of the stretch's first node
+/// Returned  index of the first of the two nodes
 std::size_t add_ends(int from, int to, std::vector<int>& nodes) {
   if (nodes.empty() || nodes.back() != from) nodes.push_back(from);
   nodes.push_back(to);
@@ -108,9 +108,9 @@ LandedPlane::LandedPlane(const Sunlit& sunlit, double depth_m) : sunlit_(sunlit)
   last_ = std::max(first_, last_);
 }
 
-/// Number of blocks of wavelengths held in memory at once: all, if the blocks of all planes take at most 1.25 GB.
-/// For over 128 wavelengths, the limit is 0.5 GB, because a few of them then decide where to insert axis distances.
-/// Otherwise, one plane's blocks fill 0.5 GB, because the disc must be divided again for every group of blocks.
+/// Number of blocks of wavelengths held in memory at once. All are held if, on all planes together, they take at most
+/// 1.25 GB, or 0.5 GB for over 128 wavelengths (of which a few then decide where to insert axis distances). Otherwise,
+/// a plane holds as many as fit into 0.5 GB, because the disc must be divided again for every group of blocks.
 std::size_t LandedPlane::blocks_at_once() const {
   constexpr std::size_t many = 128, most_bytes = 500'000'000;
   const std::size_t most_kept = sunlit_.waves.size() > many ? 500'000'000 : 1'250'000'000;
@@ -136,14 +136,14 @@ LandedPlane::Blocks LandedPlane::landed(std::size_t first) const {
   return some;
 }
 
-/// Whether light is computed as a series of harmonics instead of angle by angle. With regions, the axis distance
-/// decides, so that light at an angle does not depend on which other angles are requested. With belts, the estimated
-/// cost decides.
+/// Whether light is computed as a series of harmonics instead of angle by angle. If the air in the west mirrors
+/// that in the east, the estimated cost decides. Otherwise, the axis distance decides, so that light at an angle does
+/// not depend on which other angles are requested.
 bool LandedPlane::by_series(double gamma_m) const {
   const auto& around = sunlit_.around;
   if (around.harmonics() <= 3) return true;
   if (!around.is_mirrored()) return gamma_m <= a_;
-  constexpr double angles_at_once = 1. / 12;  // arc of a group of angles, as a fraction of the limb
+  constexpr double angles_at_once = 1. / 12;  // fraction of the limb that a group of angles spans
   const auto count = [](std::size_t n) { return static_cast<double>(n); };
   const double parts = count(around.parts.size()), terms = count(sunlit_.sun.functions.size()),
                harmonics = count(std::min(around.harmonics(), harmonics_at(gamma_m / a_))),
@@ -299,8 +299,8 @@ LandedPlane::Draws LandedPlane::draws(double gamma) const {
   return all;
 }
 
-/// Adds to `all` the factors that multiply the moments of landed light in one interval of axis distance (Stretch). They
-/// are for light that has crossed the axis if `across` is true, and otherwise for light that has not.
+/// Adds to `all` the factors by which the moments of landed light at the two ends of a Stretch are multiplied. If
+/// `across` is true, they are for light that has crossed the axis, otherwise for light that has not.
 ///
 /// Given  node  index of the node at the stretch's inner end; the next node is at its outer end
 void LandedPlane::collect(const Stretch& stretch, bool across, std::size_t node, Draws& all) {

@@ -16,7 +16,7 @@
 
 namespace coppermoon::shadow {
 
-/// Shares of the limb's parts as Fourier series in the position angle, and the angles at which light is wanted.
+/// Each part's share of the limb as a Fourier series in the position angle, and the angles at which light is wanted.
 class Around {
  public:
   std::vector<photons::WholeLimb::Series> parts;
@@ -69,7 +69,7 @@ class LandedPlane {
     std::span<double> ratio;  ///< [angle][wavelength], to which light is added
   };
 
-  /// Inputs that all planes share. They must exist as long as the planes.
+  /// Inputs that all planes share. They must outlive the planes.
   struct Sunlit {
     const photons::WholeLimb& limb;  ///< makes fans of rays on demand
     const Around& around;

@@ -17,7 +17,7 @@ namespace coppermoon::shadow::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Cumulative moments of one part of the limb at a node. Outside the part's range of nodes, the nearest node is used.
+/// Moments of one part of the limb at a node (LandedLight::sums), or at the part's nearest node if it lacks this one.
 inline const double* row_at(const LandedLight& part, int node) {
   const int place = std::clamp(node, part.first(), part.last()) - part.first();
   return part.sums() + static_cast<std::size_t>(place) * moments * lanes;

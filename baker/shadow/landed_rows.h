@@ -27,8 +27,8 @@ void add_landed_rows(std::span<const LandedLight> parts, std::span<const int> no
 /// Number of position angles that are stored side by side, to be processed by vector instructions.
 inline constexpr std::size_t angles_together = 8;
 
-/// Converts factors for harmonics to factors for position angles. `turns` holds part i's share by harmonic and angle:
-/// turned[i][column][angle] = Σ factors(harmonic, column) turns[i][harmonic][angle], summed over harmonics.
+/// Converts factors for harmonics to factors for position angles. `turns[i]` holds the value of each harmonic in the
+/// series of part i's share: turned[i][column][angle] = Σ_harmonic factors(harmonic, column) turns[i][harmonic][angle].
 void turn_factors(const algebra::Grid<double>& factors,
                   const std::vector<std::vector<double>>& turns, std::vector<double>& turned);
 

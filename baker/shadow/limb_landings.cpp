@@ -67,7 +67,7 @@ void normalise(std::span<double> row) {
     for (double& value : row) value /= sum;
 }
 
-/// Writes the importance of each cell between two rays into `chances`, whose elements must be 0 on entry. Importance is
+/// Writes the importance of each cell (interval between two rays) into `chances`, whose elements must be 0 on entry:
 /// the root mean square, over wavelengths, of the cell's share of all the light that lands, up to a common factor.
 ///
 /// Given  light  (wavelength, cell)
@@ -83,7 +83,7 @@ void add_seeing(const Grid<double>& light, std::span<const double> arcs,
   for (double& chance : chances) chance = std::sqrt(chance);
 }
 
-/// Probability that each cell is drawn if its light is ignored and photons are uniform in landing distance or height.
+/// Probability that each cell (interval between two rays) is drawn for photons uniform in landing distance or height.
 std::vector<double> blind_chances(std::span<const double> heights_m,
                                   std::span<const double> landings) {
   double swept = 0;
@@ -242,7 +242,7 @@ std::optional<Aim> LimbLandings::aim(std::span<const double> point, bool around)
 std::vector<Aim> LimbLandings::aims(std::uint64_t seed, std::uint64_t block, bool around) const {
   const auto points = algebra::scrambled_block(seed, block, around ? 5 : 3);
   std::vector<Aim> drawn, aims;
-  std::vector<std::uint64_t> order;  // each packs part, cell and index in `drawn`
+  std::vector<std::uint64_t> order;  // a photon's part, cell and index in `drawn`, in one number
   drawn.reserve(points.rows());
   for (std::size_t i = 0; i < points.rows(); ++i)
     if (const auto photon = aim(points.row(i), around)) {

@@ -44,8 +44,8 @@ class LimbLandings {
   LimbLandings(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
                std::span<const double> wavelengths_nm, int rays);
 
-  /// Photons of a block (algebra::scrambled_block), ordered by part of the limb and then by cell, lowest first.
-  /// Landings that no ray from the Sun reaches are left out.
+  /// Photons of a block (algebra::scrambled_block), ordered by part of the limb and then by the two rays between which
+  /// they pass, lowest first. Landings that no ray from the Sun reaches are left out.
   ///
   /// Given  around  whether to draw position angles; if not, the position angle of every photon is 0
   std::vector<Aim> aims(std::uint64_t seed, std::uint64_t block, bool around) const;
@@ -65,7 +65,7 @@ class LimbLandings {
     std::vector<double> heights_m;  ///< [ray], tangent heights
     /// [ray], signed axis distances at which rays of the middle wavelength land [projected solar radii]
     std::vector<double> middle_landing;
-    algebra::Grid<float> light;  ///< (2 × cell + end, wavelength); end 0 is the lower ray
+    algebra::Grid<float> light;  ///< (2 × interval + end, wavelength); end 0 is the lower ray
     std::vector<algebra::Grid<float>> landing_m;  ///< [plane](ray, wavelength)
     /// (bin of axis distance, ray): probability that a photon passes below the ray; all 0 if no light lands in the bin
     algebra::Grid<double> chance;

@@ -45,8 +45,8 @@ class LimbRing {
   void radiance(double position_angle_rad, double impact_parameter_m,
                 std::span<double> values) const;
 
-  /// Range of impact parameters at which the ring may have light. It begins at the lowest ground at the limb, and ends
-  /// at the next ray in the limb's table above the highest one from the Sun. It is empty if no ray comes from the Sun.
+  /// Range of impact parameters at which the ring may have light. It begins at the lowest ground at the limb. It ends
+  /// in the limb's table one ray above the highest ray from the Sun, or is empty if no ray comes from the Sun.
   Extent extent() const;
 
   /// Distance D of the place from the Earth's centre [m].

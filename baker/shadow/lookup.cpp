@@ -18,11 +18,11 @@ namespace {
 
 constexpr double widest_spacing_m = 10e3;
 
-/// Largest number of parts into which a cell of axis distance is divided. More are needed if the Sun is not
+/// Largest number of parts into which an interval of axis distance is divided. More are needed if the Sun is not
 /// limb-darkened, because its limb, which appears first, is then as bright as its middle.
 double most_parts(const Arrangement& arrangement) { return arrangement.limb_darkening ? 10 : 40; }
 
-/// Axis distance beyond which refracted light is 0: half a spacing beyond the outermost place (a ring's outer edge).
+/// Axis distance beyond which refracted light is 0: half a spacing beyond the last place (the edge of its ring).
 double last_distance(std::span<const double> x) {
   return x.size() < 2 ? x.back() : x.back() + (x.back() - x[x.size() - 2]) / 2;
 }
@@ -60,7 +60,7 @@ std::vector<Weights> by_channel(const algebra::Grid<double>& weights) {
 
 /// Up to four consecutive places with known light, and their weights for a point between them.
 struct Cubic {
-  std::ptrdiff_t first = 0;  ///< index of the first place; −1 is the nearest beyond the axis
+  std::ptrdiff_t first = 0;  ///< index of the first place; −1 is the first across the axis
   std::size_t count = 0;
   std::array<double, 4> share{};
 };
@@ -90,7 +90,7 @@ Cubic cubic_at(std::span<const double> x, std::size_t beyond_axis, double at) {
 
 using Rows = std::array<std::span<const double>, 4>;
 
-/// Rows of light at the places of a cubic. If there are fewer than four, the last row is repeated.
+/// Light at the places of a cubic, one row for each. If there are fewer than four places, the last row is repeated.
 Rows rows_of(const Cubic& cubic, const algebra::Grid<double>& here,
              const algebra::Grid<double>& across) {
   Rows rows;
@@ -199,15 +199,15 @@ std::vector<double> bends(const LookupTable& table, std::span<const char> known)
   return worst;
 }
 
-/// Number of parts into which a cell is divided. The error of linear interpolation falls as the square of the spacing.
+/// Number of parts for an interval of axis distance. The error of linear interpolation falls as the spacing squared.
 /// At the umbra's edge it falls as spacing^(3/2), because the Sun's uncovered area grows as distance^(3/2) there.
 double parts_for(double tolerance, double error) {
   if (error <= tolerance) return 1;
   return std::ceil(std::pow(error / (0.8 * tolerance), 2. / 3));
 }
 
-/// Number of parts for each cell, from the largest `bend` at nodes in or next to the cell. The whole table is limited
-/// to half a gigabyte.
+/// Number of parts for each interval (cell) of axis distance, from the largest `bend` at nodes in or next to it. The
+/// whole table is limited to half a gigabyte.
 std::vector<double> parts_of_cells(const LookupTable& table, std::span<const double> bends,
                                    double tolerance, double most) {
   constexpr double most_values = 5e8 / sizeof(float);

@@ -56,7 +56,7 @@ class BetweenPlaces {
   const RefractedLight& light_;
   std::vector<algebra::Grid<double>>
       logs_;  ///< logarithms of `ratio`, NaN if it is too noisy; empty for light without noise
-  std::size_t beyond_axis_ = 0;  ///< number of places that are read in the opposite sector
+  std::size_t beyond_axis_ = 0;  ///< number of places across the axis that the cubic may use
   double from_m_, to_m_;
 };
 

@@ -128,7 +128,7 @@ void find_lanes(D d, const LookupTable& table, const Places& places, std::size_t
                             hn::Mul(count, hn::Set(d, 1 / (2 * std::numbers::pi))));
   const auto whole = hn::Floor(turn), first = hn::Set(d, static_cast<double>(table.sectors.first)),
              dark = hn::Set(d, static_cast<double>(table.held - 1));
-  const auto start_of = [&](auto sector) {  // sector is -1 to count + 2, as turn may be rounded up
+  const auto start_of = [&](auto sector) {  // -1 to count + 2, as `turn` may round up to count
     auto after = hn::Sub(sector, first);
     after = hn::IfThenElse(hn::Lt(after, hn::Zero(d)), hn::Add(after, count), after);
     after = hn::IfThenElse(hn::Ge(after, count), hn::Sub(after, count), after);

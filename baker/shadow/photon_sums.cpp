@@ -86,7 +86,7 @@ void become_estimates(std::span<double> sums, std::span<double> squares, double 
   }
 }
 
-/// Limits for using a ring as a neighbour: its relative noise, and the logarithm of the ratio of the two rings.
+/// Limits for using a ring as a neighbour: its relative noise, and the logarithm of the ratio of the two rings' light.
 constexpr double known_well = 1. / 3, steepest = 4;
 
 /// Mean light of a ring at one wavelength, and its noise.
@@ -100,8 +100,8 @@ RingLight ring_light(double mean, double noise) {
   return {std::log(mean), noise / mean, true};
 }
 
-/// Number of rings added at either end of a sector's line of rings. The rings added before the first one are those of
-/// the opposite sector, across the axis. The rings added after the last one count as unknown.
+/// Number of rings added at either end of a sector's list of rings. Those added before the first ring belong to the
+/// opposite sector, across the axis. Those added after the last ring count as unknown.
 constexpr std::size_t beyond = 2;
 
 void fill_line(const RefractedLight& means, std::size_t grid, std::size_t wave,
@@ -189,7 +189,7 @@ double unresolved(std::span<const RingLight> line, double log_light, std::size_t
   return 3. / 32 * std::sqrt(std::max(0., sum));
 }
 
-/// Relative noise of the light E at a ring's middle, for independent rings with means M and ln E ≈ ln M − δ² ln M / 24.
+/// Relative noise of the light E at a ring's middle: ln E ≈ ln M − (second difference of ln M)/24; M: rings' means.
 double noise_at_middle(std::span<const RingLight> line, std::size_t i) {
   const auto of_next = [&](std::size_t k) {
     return linked(line[i], line[k]) ? line[k].relative_noise / 24 : 0;
@@ -220,7 +220,7 @@ double weighted(std::span<const double> ratio, std::span<const double> weights) 
   return std::inner_product(weights.begin(), weights.end(), ratio.begin(), 0.);
 }
 
-/// Largest relative error of the weighted light at twice the given standard errors.
+/// Largest ratio of two standard errors of the weighted light to this light, over the rings of the rule; 1 at most.
 double worst_error(const RefractedLight& light, const Grids& errors, const StoppingRule& rule) {
   double worst = 0;
   for (std::size_t g = 0; g < light.ratio.size(); ++g)

@@ -42,7 +42,7 @@ struct SightPoint {
   double impact_m, along_m;  ///< along_m is measured from the lowest point towards the shadow
   double altitude_m;
   double lowest_m;              ///< lowest altitude between the point and the shadow
-  atmosphere::Amounts profile;  ///< profiles of absorbers at the point, times b db ds
+  atmosphere::Amounts profile;  ///< profiles of absorbers at the point, times weight b db ds
   atmosphere::Amounts onward;   ///< amounts of absorbers from the point to the shadow
 };
 

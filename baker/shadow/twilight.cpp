@@ -104,7 +104,7 @@ class Ring {
   struct InAir {
     Grid<double> spectra;        ///< (absorber, wavelength)
     Grid<double> filters;        ///< (layer, wavelength); layer 0 is below the cloud's top
-    std::array<bool, 2> dark{};  ///< whether the filter is 0 at all wavelengths
+    std::array<bool, 2> dark{};  ///< [layer] whether its filter is 0 at all wavelengths
   };
 
   static InAir in_air(const Column& column, std::span<const atmosphere::Optics> optics) {
@@ -129,8 +129,8 @@ class Ring {
   std::vector<InAir> airs_;
 };
 
-/// Light of a ring, indexed by [angle][wavelength]. The angle between the directions of limb and place covers a half
-/// circle, because the other half mirrors it. The padded wavelengths of the atmospheres follow one after the other.
+/// Light of a ring, indexed by [angle][wavelength]. Angles are counted from the direction of the place, and cover
+/// half a circle, which the other half mirrors. The atmospheres' padded wavelengths follow one after another.
 using AroundTheRing = std::vector<std::vector<double>>;
 
 /// Weights (angle, node) with which an even function is interpolated trigonometrically, from nodes over a half circle
@@ -173,7 +173,7 @@ AroundTheRing around(const Ring& ring, double axis_distance_m, double depth_m,
   return light;
 }
 
-/// One ring for each column; empty for columns that have no part of the limb.
+/// One Ring for each column of air; nothing for columns that do not occur at the limb.
 std::vector<std::optional<Ring>> rings_of(std::span<const Atmosphere> airs,
                                           std::span<const double> wavelengths_nm) {
   const auto rich = atmosphere::richest(airs);

@@ -25,15 +25,15 @@ namespace coppermoon::shadow {
 /// Returned  one sector for air without regions, otherwise sectors_around. On the axis at 450 nm, the ratio is 1.6e-7
 ///           in clear air, 3.7e-7 in standard air, and 1.0e-6 under a stratosphere full of ash
 /// Accuracy  1.5 %, compared with this integral and with sasktran2's single scattering on the axis, from clear air to
-///           ash. Only every third of the air's belts of latitude is used. That saves 0.6 of the time, but errs by
+///           ash. Only every third of the air's belts of latitude is used. That saves 60 % of the time, but errs by
 ///           2 % in the air of 1982 and 1991, and by 4 % in the air of 2022
-/// Omits     multiple scattering, which on the axis adds 9 % (420 nm) to 5 % (700 nm) of this light in clear air, 1 %
-///           more over ground of albedo 0.3, 2 to 11 % with stratospheric aerosol, and 2 to 4 % under ash (by
-///           sasktran2's discrete ordinates and successive orders); refraction (1 % along the line of sight, 1 % along
-///           sunlight), which loses no light, but causes 20' of the 57' between line of sight and sunlight at 12 km;
-///           the Sun's radius, 16'; the ellipsoid, replaced by a sphere of its mean limb (0.2 %); depolarisation (1 %);
-///           forward peaks sharper than Henyey and Greenstein's; the variation of ω and g with wavelength (5 %; both
-///           are for 550 nm); light from ground and cloud, whose day side is not seen within 6378 km of the axis
+/// Omits     multiple scattering. On the axis, it adds 9 % (at 420 nm) to 5 % (at 700 nm) to this light in clear air,
+///           1 % more over ground of albedo 0.3, 2 to 11 % with stratospheric aerosol, and 2 to 4 % under ash, as found
+///           by sasktran2 (discrete ordinates and successive orders). Refraction, 1 % along the line of sight and 1 %
+///           along sunlight. It loses no light, but causes 20' of the 57' between these two directions at 12 km. The
+///           Sun's radius, 16'. Flattening: the Earth is a sphere with the limb's mean radius (0.2 %). Depolarisation
+///           (1 %). Forward peaks sharper than Henyey and Greenstein's. The variation of ω and g with wavelength (5 %);
+///           both are for 550 nm. Light from ground and cloud: their day side is not seen within 6378 km of the axis
 /// Throws    Error           if an argument is outside its range
 RefractedLight twilight(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
                         std::span<const double> wavelengths_nm,

@@ -100,7 +100,7 @@ Grid<float> measured(Grid<float> map) {
   return to_the_poles(map);
 }
 
-/// Shifts the maps of colour and surge to make their means over the disc 0, with weights A mu f times cell area.
+/// Subtracts from the maps of colour and surge their means over the full Moon's disc, weighted by reflected light.
 void subtract_means(Ground& ground, const Grid<float>& normal_albedo, Photometry photometry) {
   constexpr std::size_t rows = 360;  // rows of half a degree, finer than either map
   double light = 0, colour = 0, surge = 0;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t texels_at_once = 256;
 
-/// Sine of an angle: if the Earth's centre is further than this below a texel's horizon, no place on Earth sees the
+/// Sine of the angle below a texel's horizon beyond which the Earth's centre is so low that no place on Earth sees the
 /// texel. It allows for the Earth's radius (up to 0.0181 of its distance), refraction and neighbouring texels.
 double sine_of_the_unseen(std::size_t rows) {
   return 0.04 + 1.5 * std::numbers::pi / static_cast<double>(rows);

@@ -59,8 +59,8 @@ V phase_factor(D d, const Globe& globe, V cos_phase, V distance_squared, const f
   return hn::MulAdd(stronger, between.in(d, globe.surge_factors), mean);
 }
 
-/// Reflected light for albedo 1, relative to white ground; n: the normal; s = n·sun, m = n·moon; ρ, κ: lunar radius
-/// over the distances of Sun and Earth. At the ground these are √(1 − 2 ρ s + ρ²) and √(1 + 2 κ m + κ²) times as large.
+/// Reflected light for albedo 1, relative to white ground. s and m are the dot products of the ground's normal with
+/// globe.sun and globe.moon. `sun` and `earth` are distances from the ground, relative to those from the Moon's centre.
 template <class D, class V = hn::VFromD<D>>
 V reflected(D d, const Globe& globe, V s, V m, const float* surge) {
   const auto set = [d](double value) { return hn::Set(d, value); };

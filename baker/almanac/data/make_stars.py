@@ -64,7 +64,7 @@ def triangles(level):
 
 
 def plane(triangle):
-    """Tangent plane at a triangle's middle, as (middle, east, north), and the corners' largest coordinate in it."""
+    """Tangent plane at a triangle's middle, as (middle, east, north), and the largest coordinate of a corner in it."""
     middle = unit(total(*triangle))
     east = unit(cross((0, 0, 1), middle))
     north = cross(middle, east)

@@ -6,7 +6,7 @@ Usage: make_stratospheric_bands.py FOLDER [stratospheric_bands.csv] [stratospher
 
 FOLDER holds these CSV tables. Comment lines that begin with `#` may precede the header:
   glossac_v1_saod1020_bands_monthly_1979_2016.csv  year,month,b90S-60S,...,b60N-90N,global_80S_80N: optical depth at
-      1020 nm (GloSSAC 1; Thomason et al. 2018, Earth Syst. Sci. Data 10, 469)
+      1020 nm in bands of latitude (GloSSAC 1; Thomason et al. 2018, Earth Syst. Sci. Data 10, 469)
   global_monthly_glossac_1979_2024_igcc_plot.csv   year,month,saod_550nm: global mean (GloSSAC 2.23, through the
       Indicators of Global Climate Change)
   global_monthly_saod_2013_2025_igcc_plot.csv      year,month,...,omps_v11_scaled_550nm: global mean from OMPS-LP
@@ -42,8 +42,8 @@ BACKGROUND = 0.0042  # global mean optical depth at 550 nm from 1999 to 2004
 QUIET_EXPONENT, HUNGA_EXPONENT = 1.65, 0.3  # Angstrom, 550 to 1020 nm; Hunga's is for an effective radius of 0.4 um
 OMPS_TOO_HIGH = 0.774  # GloSSAC divided by OMPS-LP, June to December 2024
 
-# Optical depth of Hunga's aerosol in each band, divided by its global mean. The estimates are uncertain by a third. The
-# aerosol lay between 35 S and 20 N until June 2022, and spread further later.
+# Optical depth of Hunga's aerosol in each band of latitude, divided by its global mean. The estimates are uncertain by
+# a third. The aerosol lay between 35 S and 20 N until June 2022; later it spread further.
 HUNGA = [(2022.04, (0, 0.1, 3.2, 0.7, 0, 0)), (2022.37, (0, 0.8, 2.5, 0.9, 0, 0)),
          (2022.85, (0.6, 2.2, 1.5, 0.7, 0.15, 0)), (2023.5, (1.4, 1.8, 1.0, 0.7, 0.5, 0.4)),
          (2024.5, (1.3, 1.3, 0.9, 0.8, 0.8, 0.8))]
@@ -115,7 +115,7 @@ def sulphate(eruptions):
 
 
 def by_band(shapes):
-    """For boxes of mean optical depth 1: depths [band][box], extinctions in 1/km [band][box][height]; heights in km."""
+    """Optical depths [band][box], extinctions [band][box][height] in 1/km, heights in km, for boxes of mean depth 1."""
     latitudes, heights = (sorted({float(row[key]) for row in shapes}) for key in ("lat", "z_km"))
     extinction = np.zeros((len(BANDS), 8, len(heights)))
     weights = np.zeros(len(BANDS))
@@ -132,7 +132,7 @@ def by_band(shapes):
 
 
 def in_layers(depth_of_boxes, mass):
-    """Optical depths [band][layer] due to the mass of sulphate in each box."""
+    """Optical depths, indexed by [band of latitude][layer], that result from the mass of sulphate in each box."""
     return np.stack([sum(depth_of_boxes[:, box] * mass[box] for box in layer) for layer in LAYERS], axis=1)
 
 

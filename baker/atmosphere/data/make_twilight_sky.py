@@ -258,7 +258,7 @@ def bends(x):
 
 
 def smoothed(values, noise):
-    """Smooths log10 of light [altitude, Sun]; expects errors `noise`, second differences 0.04 (altitude) and 0.02."""
+    """Smooths log10 of light [altitude, Sun] with errors `noise`, assuming second differences about 0.04 and 0.02."""
     x = np.cumsum(np.append(0, np.diff(np.log(ALTITUDES + 1.5))))
     down, along = bends(x / np.diff(x).mean()), bends(SUNS)
     stiff = (np.kron(down.T @ down, np.eye(len(SUNS))) / 0.04**2 + np.kron(np.eye(len(ALTITUDES)), along.T @ along) / 0.02**2)

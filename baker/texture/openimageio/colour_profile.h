@@ -18,8 +18,8 @@ class ColourProfile {
   /// Throws  Error  when the profile is corrupt, or is for other channels, such as CMYK (the message then names it)
   static std::optional<ColourProfile> of_icc(std::string_view bytes, std::size_t channels);
 
-  /// Makes a profile from x and y of red, green, blue and white. Light is the file's number to the given power or,
-  /// without a power, follows sRGB's curve. Returns nothing if x and y agree with Rec. 709 to within 1/200.
+  /// Makes a profile from x and y of red, green, blue and white. Linear light is the file's number raised to the given
+  /// power or, without one, decoded by sRGB's curve. Returns nothing if x and y agree with Rec. 709 to within 1/200.
   ///
   /// Throws  Error  when no light can have these primaries
   static std::optional<ColourProfile> of_primaries(const std::array<double, 8>& xy,
