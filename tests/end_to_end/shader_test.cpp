@@ -93,7 +93,7 @@ TEST_F(ShaderThoroughly, TimesTheSunlitMoonIsTheBakedMoonAtAllTimes) {
       {{"2018-07-27", "--danjon", "0"}, {-4800, -2400, 0, 2400, 4800}},
       {{"2021-11-19", "--region", region, "--region", sector},
        {-8000, -3000, 0, 2500, 6000},
-       "0.5%"}};
+       "0.6%"}};  // 0.59 % is predicted
   for (const auto& [eclipse, moments, tolerance] : cases) {
     const Words air(eclipse.begin() + 1, eclipse.end());
     const auto of = shader(eclipse);
