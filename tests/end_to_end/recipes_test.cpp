@@ -179,6 +179,14 @@ TEST_F(Recipes, InAHeaderGiveWayToTheUsersFlags) {
   EXPECT_EQ(texture::read_image(here("wide.exr")).width, 64U);
 }
 
+TEST_F(Recipes, InAHeaderComplainOfNothingThatTheUserDidNotType) {
+  expect_done(
+      coppermoon("bake 2018-07-27T20:21:45Z --solver photons --photons 1e4 --texture-width 64 "
+                 "--albedo-map built-in --atmosphere undated -o a.exr"));
+  EXPECT_EQ(coppermoon("brightness a.exr").err, "");
+  EXPECT_SAYS(coppermoon("brightness a.exr --place-error 0.002").err, "--place-error: no effect");
+}
+
 TEST_F(Recipes, AreTakenFromAnotherWordsFile) {
   make("scene --recipe eclipse.toml --up moon-north --width 32 --height 32 -o scene");
   make("bake scene/moon_lin_rec709.exr -o new.exr");

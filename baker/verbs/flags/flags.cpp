@@ -96,7 +96,10 @@ void say_what_has_no_effect(const Verb& verb) {
   for (const auto& line : without_effect(
            verb.parameters, [](const auto& parameter) { return "--" + parameter.name; },
            [&](const auto& parameter) {
-             return is_typed(verb, parameter.name) || parameter.text() != parameter.usual;
+             const bool recorded =
+                 std::ranges::find(verb.recorded, parameter.name) != verb.recorded.end();
+             return is_typed(verb, parameter.name) ||
+                    (!recorded && parameter.text() != parameter.usual);
            }))
     fmt::print(stderr, "coppermoon: {}\n", line);
 }

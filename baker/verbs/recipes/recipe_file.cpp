@@ -197,8 +197,10 @@ void take_recipe(Verb& verb, const std::string& path) {
   const bool made = holds_recipe(path);
   const auto recipe = recipe_of_file(path);
   for (const auto& setting : made ? of_frame(verb, path, recipe) : recipe)
-    if (auto* parameter = heeded(verb, setting, made); parameter && !is_typed(verb, setting.name))
+    if (auto* parameter = heeded(verb, setting, made); parameter && !is_typed(verb, setting.name)) {
       take(verb, *parameter, setting, made ? path : "");
+      if (made) verb.recorded.push_back(setting.name);
+    }
 }
 
 void warn_of_another_camera(const std::string& file, const std::optional<std::string>& response) {
