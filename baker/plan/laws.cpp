@@ -17,7 +17,7 @@ struct Costs {
   double landed_ray = 160e-9;  ///< time to add up a ray's light, per wavelength and shadow plane
   double place = 33e-6;        ///< time to divide the Sun's disc into parts, per point in shadow
   double place_term = 6e-6;    ///< time of a disc integral, per point, harmonic and darkening term
-  /// time to add up the light of one part of the limb as a series, per point, darkening term, harmonic and wavelength
+  /// time to add one harmonic and darkening term of the light of one part of the limb, at one point and wavelength
   double place_wavelength = 74e-9;
   /// time to evaluate a harmonic at a position angle for one part of the limb, per point and limb-darkening term
   double angle_harmonic = 30e-9;

@@ -118,7 +118,7 @@ struct Parameter {
   /// The parameter's value as text, or the last one if it has several; empty if it has none.
   std::string text() const;
 
-  /// Whether the parameter has a value, either given by the user or in its field.
+  /// Whether the parameter has a value, either given by the user or as the default of its variable.
   bool has_value() const { return !texts().empty(); }
 
   /// Sets the field from the strings of a flag, a recipe or a Python argument.

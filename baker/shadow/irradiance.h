@@ -93,7 +93,7 @@ double covered_part(double axis_distance_m, double depth_m, double sun_distance_
 /// wavelength. For a uniform solar disc there is a closed form. A limb-darkened disc is a sum of such concentric discs.
 ///
 /// Accuracy  1e-3 of unshaded sunlight, because an ellipsoid's limb is treated as a circle with the limb's radius at
-///           the position angle of the place
+///           the position angle of the point in the shadow
 class DirectLight {
  public:
   DirectLight(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,

@@ -97,8 +97,8 @@ PhotonLight estimated(const PhotonSums& sums);
 /// every ring and sector between two axis distances.
 struct StoppingRule {
   std::vector<double> weights;  ///< weight of each wavelength
-  double tolerance;             ///< largest relative error at two standard errors, 1e-6 to 1
-  double from_m, to_m;          ///< range of axis distances
+  double tolerance;     ///< largest allowed value of two relative standard errors, 1e-6 to 1
+  double from_m, to_m;  ///< range of axis distances
 };
 
 /// Largest relative error of the weighted light, at two standard errors of noise; 1 if a ring has received no light, or

@@ -99,7 +99,7 @@ struct Comparison {
   double exposure, fitted_exposure;     ///< pixel value for 1 cd/m², as used and as fitted
   std::vector<Difference> differences;  ///< result of differences()
   texture::Image
-      render;  ///< render with glow, at the exposure used, in the camera's colours, linear Rec.709
+      render;  ///< render with glow, at the exposure that `exposure` states, as the camera writes it
   std::optional<CameraWriting> writing{};  ///< the camera's tone curve and gains, if fitted
 };
 

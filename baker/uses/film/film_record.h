@@ -15,7 +15,7 @@ namespace coppermoon::uses {
 /// from other files. Its functions may be called from any thread.
 struct FilmRecord {
   request::Recipe
-      recipe{};  ///< requested settings, plus the textures' width; if empty, no file belongs to the film
+      recipe{};  ///< requested settings, plus the textures' width; if empty, none of the folder's files count
   std::string map_contents{}, view_contents{};  ///< fingerprints of the files that the recipe names
   std::optional<plan::Work> work{};             ///< work planned for computing the light, if known
   /// End of the error message that refuses another film's files. It follows the words "allowed another folder".

@@ -84,7 +84,7 @@ void add_over_cloud(const DataSet& data, const FittedLight::OverCloud& light,
   }
 }
 
-/// Values of an unknown at the points of an axis.
+/// Values of an unknown at the coordinates of a grid axis, which may be logarithms.
 std::vector<double> values_on(const std::vector<double>& axis, const Unknown& unknown) {
   std::vector<double> values;
   for (const double place : axis) values.push_back(unknown.from_axis(place));

@@ -76,7 +76,8 @@ eclipse::Contacts contacts_of(const FitRequest& request) {
       .contacts;
 }
 
-/// Range of clock corrections to search. With half_hours_free, both ends put the most photographs in the eclipse.
+/// Range of clock corrections to search. With half_hours_free, each end is chosen so that the most photographs fall in
+/// the eclipse.
 Possible possible_clocks(const FitRequest& request) {
   if (!request.half_hours_free) return {-farthest_clock_s(request), farthest_clock_s(request)};
   constexpr int farthest = 52;  // in half hours; time zones differ by up to 26 hours

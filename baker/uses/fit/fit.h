@@ -91,8 +91,8 @@ struct FittedNight {
   std::optional<std::string> response;
   std::optional<colour::ToneCurve> curve;
   std::vector<MeasuredLight> light;  ///< measured light, by distance from the shadow's axis
-  std::vector<Misfit> misfits;       ///< misfits, with indices of photographs in the request
-  std::vector<Again> turns;          ///< reason for each time that the night was processed again
+  std::vector<Misfit> misfits;       ///< misfit by channel and index of photograph in the request
+  std::vector<Again> turns;          ///< why the night was processed again: a reason for each time
   std::vector<std::string> files;    ///< file names of the night's photographs
 };
 
@@ -103,7 +103,7 @@ struct FitReport {
   std::vector<FittedNight> nights;
 };
 
-/// The unknowns to fit: those of the request, else usual_unknowns.
+/// The unknowns to fit: those of the request or, if it names none, the usual ones for its air.
 Unknowns unknowns_of(const FitRequest& request);
 
 /// Fits aerosol, cloud and ozone to photographs and magnitudes of eclipses, jointly:

@@ -24,7 +24,7 @@ inline Estimate in_its_unit(const Unknown& unknown, const Estimate& estimate) {
           unknown.from_axis(estimate.high), estimate.information};
 }
 
-/// Least Estimate::information for which a result counts as determined by the data.
+/// A result counts as determined by the data if they reduce its prior variance by at least this share.
 inline constexpr double told_information = 0.3;
 
 template <class Field>

@@ -31,7 +31,7 @@ using std::numbers::pi;
 
 constexpr std::size_t texture_rows = 512;
 
-/// Least cosine of the emission angle at which ground is compared. Nearer the limb, map errors and blur are larger.
+/// Least cosine of the emission angle of ground to be fitted. Nearer the limb, map errors and blur are larger.
 constexpr double least_cosine = 0.4;
 
 constexpr std::size_t bin_count = 16;
@@ -127,7 +127,7 @@ LightRequest to_register(const LightRequest& light) {
   return coarse;
 }
 
-/// X, Y, Z of each pixel that shows ground, computed for the assumed air and as seen from space, with all ground moved
+/// X, Y, Z of each pixel that shows ground, in the air assumed before the fit, as seen from space. All ground is moved
 /// away from the shadow's axis by `moved_km`.
 std::vector<std::array<double, 3>> usual_light(const FitGroundwork& groundwork,
                                                const Channel& sunlit,
@@ -164,7 +164,7 @@ colour::Image moon_in_rgb(const FitScene& scene, const std::optional<std::string
   return moon;
 }
 
-/// Ratio of a picture's light to light without the shadow, for each bin and channel: a grid (bin, channel).
+/// Ratio of a picture's light to the light without the shadow: a grid (bin, channel). Bins are steps of axis distance.
 algebra::Grid<double> over_sunlit(const FitScene& scene, const colour::Image& picture) {
   algebra::Grid<double> values(scene.bins, 3);
   std::vector<double> sunlit(scene.bins);
@@ -177,7 +177,7 @@ algebra::Grid<double> over_sunlit(const FitScene& scene, const colour::Image& pi
   return values;
 }
 
-/// Computes FitScene::place_slopes from the scene's Moon with its ground moved by `moved_km`.
+/// Change of ln(light) per km in each bin and channel. In `moved`, all ground lies `moved_km` farther from the axis.
 algebra::Grid<double> slopes_to(const colour::Image& moved, double moved_km,
                                 const FitScene& scene) {
   auto slopes = over_sunlit(scene, moved);
@@ -187,8 +187,8 @@ algebra::Grid<double> slopes_to(const colour::Image& moved, double moved_km,
   return slopes;
 }
 
-/// Weights that give X, Y, Z of moonlight through the given response, then through each other camera's filters, then
-/// for the CIE 1931 observer. Each of these has three rows (X, Y, Z) in the grid, and each band has a column.
+/// Weights of bands that give X, Y, Z of moonlight: three rows for the given response, three for the filters of each
+/// other known camera, and three for the CIE 1931 observer. Each band has a column.
 algebra::Grid<double> through_all_filters(const std::optional<std::string>& response) {
   std::vector<algebra::Grid<double>> all{xyz_of_moonlight(response)};
   auto names = colour::camera_spectra_names();
@@ -201,7 +201,7 @@ algebra::Grid<double> through_all_filters(const std::optional<std::string>& resp
   return weights;
 }
 
-/// Computes FitScene::by_filters.
+/// For each other camera, a grid (bin, channel) of ln(light through its filters / light through the assumed response).
 std::vector<algebra::Grid<double>> differences_by_filters(const FitScene& scene,
                                                           const shadow::Lookup& by_filters) {
   algebra::Grid<double> sums(scene.bins, by_filters.channels());
@@ -281,7 +281,7 @@ FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
 }
 
 colour::Image glow_of(const FitScene& scene) {
-  constexpr float share = 0.5;  // any share will do, because it cancels out
+  constexpr float share = 0.5;  // any share of glow will do, because it cancels out
   auto glow = colour::with_glow(scene.moon, share, scene.pixel_rad);
   for (std::size_t i = 0; i < glow.values().size(); ++i)
     for (std::size_t k = 0; k < 3; ++k)

@@ -26,50 +26,50 @@ namespace coppermoon::uses {
 inline constexpr double fit_pixel_km =
     2 * algebra::in_kilometres(almanac::lunar_radius) / (fit_disc_share * fit_side_px);
 
-/// Least ratio of a channel's light to the brightest channel's light. Cameras do not write smaller ratios.
+/// Computed channels are raised to this share of the brightest channel, because no camera writes a smaller share.
 inline constexpr double least_of_brightest = 0.003;
 
 /// The ground that a pixel of a scene shows. It is known only for pixels well within the limb.
 struct FitGround {
   std::size_t pixel;  ///< index of the pixel: row × columns + column
   glm::dvec3 ground;  ///< unit vector to the ground, Moon-fixed
-  double sunlit;      ///< light without the shadow; 1 for white ground at 1 au
-  double colour;      ///< ground's colour c, as in surface::Ground; 0 for the mean Moon
-  std::size_t bin;    ///< index of the bin, a step of distance from the shadow's axis
+  double sunlit;      ///< light without the shadow, relative to white ground at 1 au
+  double colour;      ///< colour of the ground (surface::Ground); 0 for the mean Moon
+  std::size_t bin;    ///< index of the pixel's bin; bins are steps of axis distance
 };
 
 /// The Moon at one moment as an observer sees it, in a square picture fit_side_px wide, to compare with photographs.
 struct FitScene {
   almanac::SkyState sky;
-  algebra::Grid<float> usual;  ///< luminance in the assumed air, for registration
+  algebra::Grid<float> usual;  ///< luminance in the air assumed before the fit
   colour::Disc disc;           ///< the Moon's disc in `usual`
   std::vector<FitGround> grounds;
   std::size_t bins = 0;
   std::vector<double> distances_km;    ///< mean distance of each bin from the shadow's axis
   algebra::Grid<double> weights;       ///< weights for moonlight through the air: (X Y Z, band)
   double pixel_rad = 0;                ///< angular size of a pixel
-  colour::Image moon;                  ///< the Moon in the assumed air, in linear Rec.709
+  colour::Image moon;                  ///< the Moon as computed before the fit, linear Rec.709
   colour::Image glow = {};             ///< glow around the Moon; empty if not yet computed
   algebra::Grid<double> usual_values;  ///< ratio of light to full sunlight: (bin, channel)
   /// Derivative of the logarithm of usual_values with respect to the ground's distance from the shadow's axis [1/km]:
   /// (bin, channel).
   algebra::Grid<double> place_slopes = {};
-  /// For each other camera, a grid (bin, channel) of the logarithm of light through its filters / light through the
-  /// assumed response. Empty if the response is known.
+  /// For each camera other than the assumed one, a grid (bin, channel) of ln(light through its filters / light through
+  /// the assumed response). Empty if the response is known.
   std::vector<algebra::Grid<double>> by_filters = {};
 };
 
 /// Maps and light that all scenes of one eclipse share.
 struct FitGroundwork {
   algebra::Grid<float> albedo;                    ///< map of normal albedo
-  std::shared_ptr<const surface::Ground> ground;  ///< map of colour and surge; nullptr if uniform
+  std::shared_ptr<const surface::Ground> ground;  ///< colour and opposition surge; null if uniform
   shadow::Lookup usual;  ///< X, Y, Z of moonlight in the assumed air, seen from space
-  /// X, Y, Z of moonlight in the assumed air: first through the assumed response, then through each other camera's
-  /// filters. Absent if the response is known.
+  /// X, Y, Z of moonlight in the air assumed before the fit: three channels for the assumed response, then three for
+  /// the filters of each other camera. Absent if the response is known.
   std::optional<shadow::Lookup> by_filters = {};
 };
 
-/// Light of ground in full sunlight, outside the shadow, converted by rec709_of.
+/// Light of ground in full sunlight, outside the shadow, in linear Rec.709 within the gamut.
 ///
 /// Given  weights  grid (X Y Z, band) for moonlight
 std::array<double, 3> sunlight_of(const algebra::Grid<double>& weights);
@@ -88,7 +88,7 @@ FitGroundwork groundwork_of(const MoonRequest& moon, std::span<const almanac::Sk
 /// Given   moon        supplies photometry and response; its other members are ignored
 ///         groundwork  computed for the same Moon and eclipse
 ///         view        supplies the observer and the air above; its frame is ignored
-/// Throws  Error       when no eclipse is under way; as view_of
+/// Throws  Error       when no eclipse is under way, or when view_of does
 FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
                    const ViewRequest& view, const almanac::SkyState& sky);
 

@@ -38,7 +38,7 @@ double smooth_cloud(Unknowns unknowns, double cloud) {
   return unknowns == Unknowns::factors ? smooth(cloud, scale_of_cloud_chance) : cloud;
 }
 
-/// Weights of the aerosol nodes for cubic interpolation between the four nearest nodes, on the scale of `smooth`.
+/// Weights of `aerosols` for cubic interpolation at `aerosol` between the four nearest, all transformed by `smooth`.
 std::vector<double> shares_of_aerosol(std::span<const double> aerosols, double aerosol,
                                       double scale) {
   constexpr std::size_t near = 4;
@@ -65,13 +65,13 @@ std::vector<double> some(const std::vector<double>& all, std::span<const std::si
   return fewer;
 }
 
-/// Nodes at which light is computed, over the given range; if absent, over the whole range of the unknowns.
+/// Values of the unknowns at which light is computed (nodes), over the given range or, without one, the whole range.
 ///
-/// Fine nodes have three values of ozone. At the first value, there are nodes for all values of aerosol and cloud. At
-/// the other two, some are left out, because the ratio of light at two values of ozone is smoother than light itself.
-/// If the unknowns are amounts, five of ten values of dust remain. Light then has relative errors, at 100 and 350 DU of
-/// ozone, of 8e-4 for dust up to 3e-6 per metre, 1.4e-3 up to 8e-6, and 3e-3 up to 1.5e-5. At 280 DU it has none. Nodes
-/// over a narrow range are closer together, so that cubic interpolation has smaller errors.
+/// Fine nodes have three values of ozone. The first is combined with all values of aerosol and cloud, the others with
+/// fewer, because the ratio of light at two values of ozone is smoother than light itself. If the unknowns are amounts,
+/// the others are combined with five of ten values of dust. The error this causes is 0 at 280 DU of ozone. At 100 and
+/// 350 DU, the relative error of light is 8e-4 for dust up to 3e-6 per metre, 1.4e-3 up to 8e-6, and 3e-3 up to 1.5e-5.
+/// Nodes over a narrow range are closer together, so that cubic interpolation has smaller errors.
 std::vector<InOzone> nodes_of(Unknowns unknowns, FittedAirs airs, double aerosol_scale,
                               const std::optional<AirRange>& range) {
   using Which = std::vector<std::size_t>;
@@ -111,7 +111,7 @@ std::vector<InOzone> nodes_of(Unknowns unknowns, FittedAirs airs, double aerosol
   return nodes;
 }
 
-/// Scale of `smooth` for the aerosol nodes. For factors, it follows from the stratosphere's mean optical depth.
+/// Scale of `smooth` for aerosol. If aerosol is a factor, the scale follows from the stratosphere's mean optical depth.
 double aerosol_scale_of(const LightRequest& request, Unknowns unknowns,
                         const almanac::SkyState& sky) {
   if (unknowns == Unknowns::amounts) return scale_of_dust_per_m;
@@ -162,7 +162,7 @@ FittedLight::OverCloud FittedLight::over_cloud(double aerosol, double ozone) con
   std::vector<double> ozones;
   for (const auto& node : nodes_) ozones.push_back(node.ozone);
   auto of_ozone = algebra::on_polynomial(ozones, ozone);
-  of_ozone.front() = 1;  // because nodes at other values of ozone hold ratios to the first
+  of_ozone.front() = 1;  // because grids at other values of ozone hold ratios to the first grids
   const auto& first = nodes_.front();
   const auto& form = first.logarithms.front();
   const auto on_scale = [&](const std::vector<double>& clouds) {

@@ -9,12 +9,12 @@
 
 namespace coppermoon::uses {
 
-/// How densely nodes cover the range of the air's unknowns. Coarse nodes are for a rough fit, for example to find a
-/// camera clock's error. They have few values of aerosol and cloud, one value of ozone, and no scattered light.
+/// For how many values of the air's unknowns light is computed. `coarse` is for a rough fit, for example to find the
+/// error of a camera's clock: few values of aerosol and cloud, one value of ozone, and no scattered light.
 enum class FittedAirs { fine, coarse };
 
-/// Light of the Moon on its way through the shadow, averaged over bins, for any values of the unknowns of the air. It
-/// is interpolated between nodes, at which light_in_bins computes it.
+/// Light of the Moon on its way through the shadow, averaged over bins of its ground, for any values of the air's
+/// unknowns. It is interpolated between nodes, the values for which light_in_bins computes it.
 ///
 /// Nodes cover all or part of the range of each unknown. Between nodes, the logarithm of light is interpolated by
 /// cubics in aerosol and parabolas in ozone. For Unknowns::amounts, light under partial cloud cover is the weighted
@@ -36,7 +36,7 @@ class FittedLight {
               FittedAirs airs = FittedAirs::fine, const algebra::Progress& progress = {},
               const std::optional<AirRange>& range = {});
 
-  /// Nodes at one value of ozone. Each value of aerosol and cloud has a grid (bin, channel) of the logarithm of light.
+  /// Light at one value of ozone. Each pair of aerosol and cloud has a grid (bin, channel) of the logarithm of light.
   struct InOzone {
     double ozone;
     std::vector<double> aerosols, clouds;
@@ -53,7 +53,7 @@ class FittedLight {
   /// Returned  grid (bin, channel), with the bins of all moments one after another
   algebra::Grid<double> at(const AirNumbers& numbers) const;
 
-  /// Light of each bin at one value of aerosol and ozone, for any cloud. It is interpolated between nodes of cloud,
+  /// Light of each bin at one value of aerosol and ozone, for any cloud. It is interpolated between values of cloud,
   /// each of which has a grid (bin, channel).
   class OverCloud {
    public:
@@ -62,7 +62,7 @@ class FittedLight {
    private:
     friend FittedLight;
     Unknowns unknowns;
-    std::vector<double> clouds{};                // nodes of cloud, on the scale of interpolation
+    std::vector<double> clouds{};                // cloud of each grid, scaled for interpolation
     std::vector<algebra::Grid<double>> light{};  // light, or its logarithm if cloud is a factor
   };
   /// Light at one value of aerosol and ozone, as a function of cloud.
@@ -72,7 +72,7 @@ class FittedLight {
   Unknowns unknowns_;
   AirRange range_;
   double aerosol_scale_ = 1;
-  std::vector<InOzone> nodes_;  // the first node holds light, the others ratios to that light
+  std::vector<InOzone> nodes_;  // first ozone: light; other ozone: ratios to it
 };
 
 }  // namespace coppermoon::uses

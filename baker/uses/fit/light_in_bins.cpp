@@ -38,8 +38,8 @@ constexpr double darkness = 1e-30;
 struct AirAbove {
   std::size_t nodes = 0;
   algebra::Grid<double> shares;  ///< weight of each node at each moment: (moment, node)
-  /// Grid (row, band) of spectral weights. Rows are the channels of the first node, then those of the next, and so on.
-  /// The same number of rows follows for the change of light per unit of LitPlace::colour.
+  /// Grid (row, band) of spectral weights, with a row for each channel of the first node, then of the next, and so on.
+  /// As many rows follow for the change of light per unit of the ground's colour (LitPlace::colour).
   algebra::Grid<double> weights;
 };
 
@@ -52,7 +52,7 @@ AirAbove air_above(std::span<const LitBins> parts) {
   }
   const auto [least, most] = std::ranges::minmax(dimming);
   const double count = std::clamp(std::ceil((most - least) / alike) + 1, 1., most_nodes);
-  std::vector<std::size_t> of_node;  // index in `parts` of each node
+  std::vector<std::size_t> of_node;  // for each node, the index of its moment in `parts`
   for (double i = 0; i < count; ++i) {
     const double wanted = least + (most - least) * i / std::max(1., count - 1);
     const auto nearest =
@@ -83,8 +83,8 @@ struct Setting {
   std::vector<double> waves, distances_m;
   std::span<const LitBins> parts;
   AirAbove above;
-  algebra::Grid<double> weights;                ///< spectral weights, resampled to the wavelengths
-  std::vector<algebra::Grid<double>> direct{};  ///< sunlight that misses the air: (place, row)
+  algebra::Grid<double> weights;                ///< spectral weights, resampled to `waves`
+  std::vector<algebra::Grid<double>> direct{};  ///< sunlight past the air: (place, weights row)
 
   std::size_t channels_of_nodes() const { return weights.rows() / 2; }
 };
@@ -123,8 +123,8 @@ std::vector<shadow::RefractedLight> refracted_in(const Setting& setting,
                                   finely);
 }
 
-/// Logarithm of light / full sunlight in the bins of moment `p`, for the air above the observer at each node. The
-/// result is a grid (bin, node × channel).
+/// Logarithm of light / full sunlight in the bins of moment `p`, seen through the air above the observer at each node's
+/// moment. The result is a grid (bin, node × channel).
 algebra::Grid<double> in_bins(const Setting& setting, std::size_t p,
                               const shadow::RefractedLight& refracted) {
   const auto& part = setting.parts[p];
@@ -225,7 +225,7 @@ std::vector<algebra::Grid<double>> light_in_bins(const LightRequest& request, Un
                   above,
                   at_wavelengths(above.weights, work_of_fits.bands)};
   add_direct(setting, progress);
-  // Atmospheres, sorted by aerosol, are computed in groups, because similar ones need light at similar axis distances.
+  // Light is computed for groups of airs with similar aerosol, because these need it at similar axis distances.
   std::vector<std::size_t> order(numbers.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return numbers[i].front(); });

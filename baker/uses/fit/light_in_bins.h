@@ -21,7 +21,7 @@ struct LitPlace {
   eclipse::ShadowPlace place;
   double sunlit;  ///< light without the shadow, in any unit
   std::size_t bin;
-  double colour = 0;  ///< ground's colour c, as in surface::Ground
+  double colour = 0;  ///< colour of the ground (surface::Ground)
 };
 
 /// Ground of the Moon at one moment, as one observer sees it, divided into bins.
@@ -48,10 +48,10 @@ std::vector<algebra::Grid<double>> light_in_bins(const LightRequest& request, Un
                                                  bool scattered,
                                                  const algebra::Progress& progress = {});
 
-/// Interpolates refracted light at any place, for each wavelength: linearly between planes, by cubics between sectors.
+/// Refracted light at any place, for each wavelength, interpolated linearly in depth and by cubics in position angle.
 class RefractedAt {
  public:
-  /// Given  light  for all sectors, or for the sectors to be read and one more on each side; must outlive this object
+  /// Given  light  in all sectors around the axis, or those to be read and one on each side; must outlive this object
   explicit RefractedAt(const shadow::RefractedLight& light);
 
   /// Writes the ratio of refracted light at a place to sunlight without the shadow, for each wavelength.

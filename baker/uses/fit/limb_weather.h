@@ -48,7 +48,7 @@ double light_by_weather(std::size_t kind, std::size_t channel, double distance_k
 /// Returned  weights (moment, change), with a single change if all moments lie within a quarter of an hour
 algebra::Grid<double> weather_changes(std::span<const double> seconds);
 
-/// Error of light due to weather in a given air, divided by that error in typical air. Weather changes the chance of
+/// Ratio of the error of light due to weather in a given air to that in typical air. Weather changes the chance of
 /// cloud, so the ratio grows with the light that clouds block. Effects other than cloud keep the ratio at 0.5 or more.
 ///
 /// Given     dimming  decrease of ln(red light in the umbra) per unit of ln(chance of cloud): 0.3 in typical air, 0.6

@@ -6,7 +6,7 @@
 
 namespace coppermoon::uses {
 
-/// Moves the bins of a scene to another moment, at which the same ground lies elsewhere in the shadow. A few places
+/// Bins of a scene's ground at another moment, when the same ground lies elsewhere in the shadow. A few places
 /// represent all the ground in each bin.
 LitBins lit_bins(const FitScene& scene, const almanac::SkyState& sky);
 

@@ -10,7 +10,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Shares of the total misfit. A part above the first counts as most of it, one above the second as nearly all of it.
+/// Least shares of the total misfit that count as most of it and as nearly all of it.
 constexpr double most_of_it = 0.6, nearly_all = 0.8;
 
 /// Distances from the shadow's axis at which the edge of the umbra begins and ends [km].
@@ -31,7 +31,7 @@ double share_of(const std::vector<Misfit>& all, const std::function<bool(const M
   return whole > 0 ? sum / whole : 0;
 }
 
-/// Likely fault of the only photograph that misfits: its exposure if all channels differ alike, else its time.
+/// Likely fault of the one photograph that does not fit: its exposure if all channels differ alike, else its time.
 Suspect of_one_photograph(const std::vector<Misfit>& own) {
   double sum = 0, squares = 0, scatter = 0;
   for (const auto& misfit : own) {

@@ -15,9 +15,9 @@ namespace coppermoon::uses {
 enum class Suspect {
   instant,     ///< wrong time of one photograph
   exposure,    ///< wrong exposure of one photograph
-  colours,     ///< wrong camera response or white balance: one channel misfits in most photographs
+  colours,     ///< wrong camera response or white balance: most of the misfit is in one channel
   clock,       ///< wrong clock: misfits lie at the umbra's edge, or change between photographs
-  tone_curve,  ///< wrong tone curve: misfits extend beyond the umbra
+  tone_curve,  ///< wrong tone curve: much of the misfit lies outside the umbra
   air          ///< unsuitable air: misfits are alike in all photographs that show the umbra
 };
 

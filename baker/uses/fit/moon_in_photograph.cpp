@@ -20,7 +20,7 @@ namespace {
 
 using Channel = algebra::Grid<float>;
 
-/// Level above which a channel may be clipped. It is lower than any clipping level that `binned` uses.
+/// Level above which a channel may be clipped. It is lower than all clipping levels used in binning.
 constexpr float nearly_clipped = 0.84F;
 
 /// Quantisation step near black of channel `k`, in linear light; 0 if the channel has more than 8 bits.
@@ -88,7 +88,7 @@ Channel glowing(const FitScene& scene) {
   return luminance;
 }
 
-/// Registers the luminance of a rendered scene in the luminance of a photograph. If this fails, the photograph is also
+/// Registers the luminance of a rendered scene with that of a photograph. If this fails, the photograph is also
 /// tried at half and at a quarter of its size, unless `roughly` is set.
 colour::Registration registered_by(const Channel& luminance, const Channel& render,
                                    const FitScene& scene, const MoonPart& moon,

@@ -14,7 +14,7 @@ namespace coppermoon::uses {
 
 /// The part of a photograph that shows the Moon and its surroundings, shrunk by an integer factor. After shrinking, the
 /// disc is at least 1.5 times as wide as in a FitScene, unless it was smaller before. Each pixel replaces a square of
-/// pixels. Its value is the greatest in the square if any may be clipped, else 0 if most are black, else the mean.
+/// pixels. It has their greatest value if any of them may be clipped, else 0 if most are black, else their mean.
 struct MoonPart {
   texture::Image photo;
   algebra::Grid<float> luminance = {};  ///< luminance of `photo`
@@ -31,26 +31,26 @@ struct MoonPart {
 /// Finds the Moon in a photograph and cuts it out.
 ///
 /// Given   photo  in linear light, decoded from the file's pixel values; values of 1 are saturated
-/// Throws  Error  when no disc is found even at half or a quarter of the size; as colour::limb_of
+/// Throws  Error  when no disc is found, not even at half or a quarter of the size, or when colour::limb_of does
 MoonPart moon_part(const texture::Image& photo, float saturated = 0.97F);
 
-/// Completes the reason why a photograph cannot be registered. If half or more of the Moon is clipped or dark, the
-/// message also states these shares and what is allowed.
+/// The reason why a photograph cannot be registered. If half or more of the Moon is clipped or dark, the message also
+/// states how much of it is clipped, how much is dark, and what is allowed.
 std::string reason_with_shares(const MoonPart& moon, const std::string& reason);
 
 /// How finely a photograph is registered.
 enum class Registering {
-  rough,       ///< coarse registration, as with colour::KnownBefore::roughly
-  fine,        ///< if noise hides the limb, the photograph is halved in size, at most twice
-  of_clipped,  ///< like fine; if correlation is below 0.8, also tries clipped pixels as brightest
+  rough,       ///< coarse registration, without trying smaller sizes
+  fine,        ///< fine registration; if it fails, the photograph is halved, at most twice
+  of_clipped,  ///< like fine; if correlation is below 0.8, also with clipped pixels at the maximum
 };
 
 /// Finds where a scene lies in a photograph.
 ///
-/// Given     scale  scale of the similarity, if it is known
+/// Given     scale  scale from scene to photograph, if it is known
 ///           how    of_clipped only if the moment is known, because at a wrong moment it finds false matches more often
-/// Returned  the best of several attempts; one adds scene.glow, if known, to a burnt Moon partly outside the umbra
-/// Throws    Error  as colour::registered
+/// Returned  the best of several attempts; one adds scene.glow, if known, for a clipped Moon partly outside the umbra
+/// Throws    Error  when colour::registered does
 colour::Registration registration_of(const FitScene& scene, const MoonPart& moon,
                                      const std::optional<double>& scale = {},
                                      Registering how = Registering::of_clipped);
@@ -63,7 +63,7 @@ double off_limb_km(const FitScene& scene, const colour::Registration& registrati
 ///
 /// The error is 0.3 pixels for a Moon in the umbra, and 0.8 pixels if part of the Moon is outside the umbra, because a
 /// bright limb misleads registration. It is 0.2 pixels in both cases if the photograph was registered with the fitted
-/// air, at the scale of all the night's photographs or with a correlation of 0.998 or more. Two errors are added in
+/// air, and shares its scale with another photograph or has a correlation of at least 0.998. Two errors are added in
 /// quadrature: 2 (1 − correlation) pixels, for noise, and off_limb_km, because neither limb nor markings can be trusted
 /// if they disagree. Pixels are those of the photograph or the scene, whichever are larger.
 ///

@@ -137,7 +137,7 @@ Look look_at(const Stage& stage, std::span<const Reading> readings, const Clock&
 Clock told_by_light(const Stage& stage, std::span<const Binned> binned, Clock clock,
                     std::optional<CoarseFit> fit) {
   constexpr int most_steps = 8;
-  constexpr double linear_s = 60, most_s = 300;  // light changes linearly within linear_s
+  constexpr double linear_s = 60, most_s = 300;  // over linear_s, light changes linearly with time
   for (int step = 0; step < most_steps; ++step) {
     if (!fit) fit = coarse_fit(stage, binned, clock);
     const double further_s = std::clamp(fit->goodness.clock_s, -most_s, most_s);
@@ -185,7 +185,7 @@ Night first_look(FitRequest request, const algebra::Progress& progress) {
   auto clock = scanned_clock(stage, readings);
   std::optional<CoarseFit> fit;
   auto look = look_at(stage, readings, clock, fit);
-  // a misplaced shadow shifts the registration by a tenth of its error, so photographs are registered again
+  // a wrong clock misplaces the shadow, which shifts registrations by a tenth as much, so they are repeated
   constexpr int most_turns = 3;
   constexpr double near_s = 15;
   for (int turn = 0; clock.error_s > 0 && turn < most_turns; ++turn) {

@@ -11,7 +11,7 @@ namespace coppermoon::uses {
 
 /// Photographs from one camera and eclipse, with the result of each step of processing.
 struct Night {
-  FitRequest request;             ///< request for this night's photographs and camera's response
+  FitRequest request;             ///< the request, with only this night's photographs and camera
   std::vector<Reading> readings;  ///< readings, one for each photograph
   Clock clock;
   std::vector<Placed> placed;  ///< registrations, one for each photograph
@@ -23,10 +23,10 @@ struct Night {
 /// Processes a night for the first time: reads its photographs, finds their clock correction, registers and bins them,
 /// and computes light over the whole range of the air's unknowns.
 ///
-/// Photographs that leave_out_far rejects are left out. Then photographs whose light does not fit that of the others in
-/// any air are left out one by one, because one such photograph misleads the fit of a whole night. Their light is wrong
-/// by three stops or more in all channels. One stop is enough if the registration's correlation is below 0.8, or if the
-/// Moon is rotated or mirrored differently from the Moon in most other photographs.
+/// Photographs whose limb and markings disagree are left out. Then photographs whose light does not fit that of the
+/// others in any air are left out one by one, because one such photograph misleads a whole night's fit. Their light
+/// is wrong by three stops or more in all channels. One stop is enough if the registration's correlation is below 0.8,
+/// or if the Moon is rotated or mirrored differently from the Moon in most other photographs.
 ///
 /// Given   request  photographs from one camera and eclipse
 /// Throws  Error    "<file>: …" when no photograph can be read or used; <file> is the first of them
@@ -42,7 +42,7 @@ Again why_again(const Night& night, const AirFit& fit, int turn);
 
 /// Processes a night again with the fitted air, tone curve and colours.
 ///
-/// Given  why    if in_its_air, photographs are also registered again, with the Moon computed for the best air
+/// Given  why    if Again::in_its_air, photographs are also registered again, with the Moon computed for the best air
 ///        alive  called regularly; may throw to cancel
 Night looked_at_again(Night night, Again why, const AirFit& fit, const algebra::Progress& alive);
 

@@ -22,7 +22,7 @@ double logarithmic_mean(double a, double b) {
 /// Derivatives of the light in a channel, divided by the mean of its expected and its measured light.
 struct Growth {
   std::array<double, 3>
-      by_channel{};  ///< derivatives with respect to the share of each Rec.709 channel mixed in
+      by_channel{};  ///< derivatives with respect to the share of each Rec.709 channel in this one
   glm::dvec3 by_gain{0};  ///< derivatives with respect to the logarithm of each camera gain
 };
 
@@ -157,7 +157,7 @@ std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const Ni
        }},
       {"dark channels", night, any_mixed ? 3UL : 0,
        [=](const Measurement& m) { return errors(m).dark_error; }, of_brightest},
-      // with this prior, the error has the covariance of the other cameras about the assumed camera
+      // this prior gives the error the covariance of the other cameras' differences from the assumed camera
       {"filters", night, cameras,
        [=](const Measurement&) { return 1 / std::sqrt(static_cast<double>(cameras)); },
        [=](const Measurement& m, std::size_t n) {

@@ -44,15 +44,15 @@ std::vector<double> clock_steps_s(double clock_error_s);
 /// What is known about a night's clock, camera and light before the fit. Errors are linearised around these values.
 struct NightErrors {
   double clock_error_s = 0;   ///< standard error of the clock; 0 if times are exact
-  double clock_mean_s = 0;    ///< prior mean of the clock correction to the scenes' times
+  double clock_mean_s = 0;    ///< prior mean of a further correction to the scenes' times
   colour::ToneCurve curve{};  ///< tone curve undone before binning, if light was not linear
   Mixing mixing = no_mixing;  ///< colour matrix that is expected for the camera
   algebra::Grid<double>
-      expected{};  ///< light for the best air, in rows of NightRows; if empty, the assumed air is used
+      expected{};  ///< light for the best air, in rows of NightRows; if empty, the scenes' is used
   algebra::Grid<double> clouded{};  ///< light for the best air with more cloud; empty if unknown
   algebra::Grid<double> dusty{};    ///< light for the best air with more aerosol; empty if unknown
   double dusty_by = 0;              ///< ln(aerosol in `dusty` / aerosol in `expected`)
-  double clouded_by = 0;  ///< ln(cloud chance, `clouded` / `expected`); 0 if cloud cover is fitted
+  double clouded_by = 0;  ///< ln(cloud chance in `clouded` / `expected`); 0 if cover is fitted
 };
 
 /// Order of rows for the computed light of a night's photographs.
@@ -79,13 +79,13 @@ struct Nuisance {
   std::size_t count;  ///< number of parameters per night or per photograph
   /// Prior standard deviation of the parameters for a given measurement; 0 if they do not affect the measurement.
   std::function<double(const Measurement&)> prior;
-  /// Derivative of a measurement's logarithm with respect to one of the parameters.
+  /// Derivative of a measurement, a logarithm of light, with respect to one of the parameters.
   std::function<double(const Measurement&, std::size_t parameter)> derivative;
 };
 
-/// Table of the nuisance parameters of a night. All photographs share the errors of exposure, white balance, tone
-/// curve, saturation, colour matrix and filters, and of weather along the limb. Each photograph has its own errors of
-/// shutter, white balance, sky, place and glow.
+/// Table of the nuisance parameters of a night. All photographs share errors of exposure, white balance, tone
+/// curve, saturation, colour matrix, dark channels, filters, weather and aerosol. Each photograph also has its own
+/// errors of shutter time, white balance, dark channels, sky light, place in the shadow, and glow.
 ///
 /// Given  photographs, night  must outlive the table
 std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const NightErrors& night);
@@ -94,12 +94,12 @@ std::vector<Nuisance> nuisances_of(std::span<const Binned> photographs, const Ni
 struct Design {
   algebra::Grid<double> matrix;                   ///< derivative × prior: (measurement, parameter)
   std::map<std::string_view, std::size_t> first;  ///< first column of each nuisance
-  std::size_t first_own = 0;  ///< first column of the parameters of single photographs
+  std::size_t first_own = 0;  ///< first column of parameters of only one photograph
 };
 
 /// Computes the design matrix for a table of nuisances.
 ///
-/// Given  table  with the nuisances that the night shares first, then those of single photographs
+/// Given  table  with the nuisances that all photographs share first, then those that each has for itself
 Design design_of(std::span<const Nuisance> table, std::span<const Measurement> measurements,
                  std::size_t photographs);
 

@@ -27,8 +27,8 @@ algebra::Grid<double> dimming(std::span<const Binned> photographs, const NightEr
 }
 
 /// Grid (photograph × bins + bin, channel) of how much cloud dims light, relative to the mean dimming of red light in
-/// the umbra. If the fit has a factor on the chance of cloud, the values are multiplied by weather_over_usual. The grid
-/// is empty if the effect of cloud is not known.
+/// the umbra. If the fit has a factor on the chance of cloud, the values are also scaled by weather_over_usual: the
+/// error due to weather, relative to typical air. The grid is empty if the effect of cloud is not known.
 algebra::Grid<double> dimming_by_cloud(std::span<const Binned> photographs,
                                        const NightErrors& night, const NightRows& rows) {
   constexpr double least_distance_km = 1000, most_distance_km = 4000;

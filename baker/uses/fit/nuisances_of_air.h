@@ -8,7 +8,7 @@
 
 namespace coppermoon::uses {
 
-/// Shares of light from each part of the limb, in each photograph's bins. Empty if no photograph has a weather error.
+/// Shares of light from each part of the limb, in each photograph's bins. Empty if weather_error is 0 for all.
 using Limbs = std::vector<algebra::Grid<double>>;
 Limbs limbs_of(std::span<const Binned> photographs);
 

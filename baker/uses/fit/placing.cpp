@@ -65,8 +65,8 @@ double agreed_px_per_rad(std::span<const Reading> readings, std::span<const Plac
   return agreed;
 }
 
-/// Whether another photograph was placed at the same scale. If none was, a photograph has its scale from its own limb,
-/// which glow enlarges.
+/// Whether another photograph was placed at the same scale. If none was, the scale comes only from the photograph's
+/// own limb, which glow enlarges.
 bool shares_scale(std::span<const Placed> all, std::size_t index) {
   std::size_t alike = 0;
   for (const auto& one : all)
@@ -83,7 +83,7 @@ std::vector<std::size_t> order_of(std::span<const Placed> all) {
   return order;
 }
 
-/// Accepts a photograph that was registered again at the scale of the others, unless it now looks less like the Moon.
+/// Accepts a photograph that was registered again at the scale of the others, unless its correlation is now too low.
 Placed in_scale(Placed found, const Placed& before, const Reading& reading) {
   constexpr double as_well = 0.9;
   const double alike = before.left_out.empty() ? before.registration.correlation : 0,

@@ -29,7 +29,7 @@ struct Stage {
 
 /// Registers each photograph with the scene at its time plus a clock correction. Photographs of the same size in pixels
 /// should have the same scale. If a photograph fails to register, or its scale differs from that of most others, it is
-/// registered again at the scale of most. It is left out if it then looks less like the Moon.
+/// registered again at their scale. It is left out if its correlation with the scene is then too low.
 ///
 /// Given     readings  one for each photograph of the request
 ///           which     indices of the photographs to register; all others are left out
@@ -38,8 +38,8 @@ struct Stage {
 std::vector<Placed> placed(const Stage& stage, std::span<const Reading> readings, double clock_s,
                            std::span<const std::size_t> which, Registering how);
 
-/// Registers photographs again, with the Moon computed for a different air. A photograph that then looks less like the
-/// Moon keeps its earlier registration.
+/// Registers photographs again, with the Moon computed for a different air. A photograph whose correlation falls by
+/// more than 0.1, or whose rotation changes, keeps its earlier registration.
 ///
 /// Given  stage  request and groundwork for the new air
 std::vector<Placed> placed_again(const Stage& stage, std::span<const Reading> readings,

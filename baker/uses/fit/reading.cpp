@@ -17,8 +17,8 @@ bool is_grey(const texture::Image& photo) {
   return true;
 }
 
-/// Exposure of a photograph as the request states it, else as its header does; nothing if a setting is missing. If the
-/// exposures of a night share an unknown factor (`free`), a constant replaces a missing f-number. A constant also
+/// Exposure of a photograph. Each setting comes from the request, else from the header; nothing if one is missing. If
+/// the exposures of a night share an unknown factor (`free`), a constant replaces a missing f-number, and another one
 /// replaces a missing ISO speed if the header states a gain.
 std::optional<colour::Exposure> exposure_of(const EclipsePhotograph& photograph,
                                             const CameraSettings& header, bool free) {
@@ -40,7 +40,7 @@ PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& 
   constexpr double of_exposures = 0.1, free = 10;
   const bool curved = reading.curved, raw = texture::is_raw_file(photograph.file);
   const auto header = settings_of(photograph.file);
-  // with sensor counts, or a gain instead of an ISO speed, light is known only up to a common factor
+  // sensor counts, or a gain instead of an ISO speed, give the light only up to a common factor
   const bool relative = reading.clipped_at || (header.gain && !photograph.iso && !header.iso);
   PhotometricErrors errors{
       .exposure_error = request.exposure_error.value_or(curved || relative ? free : of_exposures),
@@ -52,10 +52,10 @@ PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& 
                                                                           : of_as_shot),
       .white_balance_shared = as_shot || white_balance_is_fixed(photograph.file),
       .weather_error = request.weather_error.value_or(curved || raw ? of_weather : 0)};
-  // a camera's colour matrix is wrong by a few per cent, except for a raw file from known filters
+  // a camera's colour matrix is wrong by a few per cent, except for raw files of cameras with known filters
   if (curved || (raw && !request.moon.response)) errors.mixing_error = 0.03;
   if (as_shot) errors.white_balance_drift = as_shot_drift;
-  if (curved) errors.dark_error = 0.02;       // uncertainty of CameraColours::lift
+  if (curved) errors.dark_error = 0.02;       // error of the light added to dark channels
   if (curved) errors.saturation_error = 0.2;  // JPEG styles scale saturation by 0.8 to 1.3
   if (const auto exposure = exposure_of(photograph, header, errors.exposure_error >= free))
     errors.value_per_cd_m2 =
@@ -68,8 +68,8 @@ PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& 
 
 }  // namespace
 
-/// Level above which renders for a display and most developed pictures compress highlights, and level at which linear
-/// light counts as clipped.
+/// Levels that count as clipped: for pictures coded for a display, most of which compress highlights above this level,
+/// and for linear light.
 constexpr float shoulder = 0.75F, linear = 0.97F;
 
 bool is_edited(const EclipsePhotograph& photograph) {
@@ -97,7 +97,7 @@ Reading reading_of(const FitRequest& request, const EclipsePhotograph& photograp
                                                                                 : linear);
     if (is_grey(photo))
       throw algebra::Error("shades of grey, allowed are colours: red, green and blue");
-    // gains as shot are useful only if the spectral response of the sensor's channels is known
+    // the camera's white-balance gains are useful only if the spectral response of its channels is known
     const bool spectral = request.moon.response && colour::is_spectral(*request.moon.response);
     const auto as_shot =
         reading.curved && spectral ? as_shot_balance(photograph.file) : std::nullopt;

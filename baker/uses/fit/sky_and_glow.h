@@ -8,7 +8,7 @@
 
 namespace coppermoon::uses {
 
-/// Side of a scene's picture, to which photographs are resampled [pixels], and ratio of the disc's diameter to it.
+/// Side of the square picture to which photographs are resampled [pixels], and share of the side that the disc spans.
 inline constexpr std::size_t fit_side_px = 320;
 inline constexpr double fit_disc_share = 0.8;
 
@@ -30,8 +30,8 @@ struct SkyAndGlow {
   Uncertain sky, glow;
 };
 
-/// Separates the light beside the disc into sky and glow, by how the glow varies around the disc. Robust least squares
-/// with Tukey's biweight reject stars.
+/// Separates the light beside the disc into sky and glow, by how the glow varies around the disc. A robust fit with
+/// Tukey's biweight rejects stars.
 ///
 /// Given     light   measured light around the disc
 ///           glow    computed glow around the disc

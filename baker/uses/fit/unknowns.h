@@ -14,8 +14,8 @@ enum class Unknowns {
   amounts  ///< dust [1/m], share of the limb under a deck of cloud (replaces the chance of cloud), ozone [DU]
 };
 
-/// One unknown of the air, and its prior between two limits, on the posterior's axis. For an amount, the prior is
-/// uniform. For a factor, it is normal about 1, the month's mean, because single nights differ from the mean.
+/// One unknown of the air, and its prior between limits. On the posterior's axis, an amount has a uniform prior. The
+/// prior of a factor is normal about 1, the month's mean, because any one night differs from the mean.
 struct Unknown {
   std::string_view parameter;  ///< option name, such as "stratospheric-factor"
   std::string_view key;        ///< key in JSON and Python, such as "stratospheric_factor"
@@ -53,7 +53,7 @@ AirRange whole_range(Unknowns unknowns);
 /// Default unknowns for a given air: factors if the air is a month's mean without a deck of cloud, else amounts.
 Unknowns usual_unknowns(const Air& air);
 
-/// Air with all factors set to 1, so that a fitted factor is the value of the air's own parameter.
+/// The air with all factors set to 1. A factor fitted to it is then the value for the air's own parameter.
 Air with_unit_factors(Air air);
 
 /// Air with the unknowns set to the given values.

@@ -224,8 +224,8 @@ DanjonScale scale_of(const Air& asked, const std::optional<AirRegion>& region,
   return {air, sky};
 }
 
-/// Clearness (see `cleared`) at which the eclipse reaches a step on Danjon's scale. If a region is given, its air is
-/// assumed along the whole limb. Scales are cached, because all frames of a film need the same scale.
+/// Clearness (change of cloud and aerosol) at which the eclipse reaches a step on Danjon's scale. If a region is given,
+/// its air is assumed along the whole limb. Scales are cached, because all frames of a film need the same scale.
 double clearness_found(const Air& asked, std::optional<AirRegion> region, int step,
                        const almanac::SkyState& sky) {
   struct Found {

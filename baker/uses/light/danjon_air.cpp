@@ -108,7 +108,7 @@ class Totality {
   double dimmer_ = 1;  ///< factor by which the distances of Sun and Moon dim the Moon
 };
 
-/// Clearness (see `cleared`) at which the Moon has the given visual magnitude, interpolated with a polynomial through
+/// Clearness of the air at which the Moon has the given visual magnitude, interpolated with a polynomial through
 /// up to four known points. `bright` is the index of the first known point at least as bright as `magnitude`.
 template <typename Known>
 double between(std::span<const Known> known, std::size_t bright, double magnitude) {

@@ -18,7 +18,7 @@ namespace coppermoon::uses {
 /// Returned  the air with the columns of all its belts changed
 atmosphere::Atmosphere cleared(atmosphere::Atmosphere air, double clearness);
 
-/// Limits and error of the clearness that DanjonScale finds (see `cleared`). A result near a limit means failure.
+/// Lowest and highest clearness that DanjonScale finds, and its error. A result near a limit means failure.
 inline constexpr double darkest_clearness = -2, brightest_clearness = 1,
                         clearness_error = 2. / 1024;
 
@@ -48,7 +48,7 @@ class DanjonScale {
     double clearness, magnitude;
   };
 
-  /// Adds a clearness, and the Moon's magnitude in such air, to `known`, in order of clearness and falling magnitude.
+  /// Adds a clearness, and the Moon's magnitude in air of this clearness, to `known`, which is sorted by clearness.
   void add(double clearness, std::vector<Known>& known);
 
   std::function<double(double clearness)> magnitude_;

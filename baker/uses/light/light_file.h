@@ -9,7 +9,7 @@
 
 namespace coppermoon::uses {
 
-/// Writes light and its plan, but not direct light or timings on this machine. The file appears whole or not at all.
+/// Writes light and its plan to a file, but neither direct light nor timings. The file appears whole or not at all.
 ///
 /// Given   key    recipe with everything that the light depends on
 /// Throws  Error  when the file cannot be written; the message is one line with the path
@@ -17,7 +17,7 @@ void write_light(const std::filesystem::path& path, const std::string& key, cons
 
 /// Whether a file begins like one from write_light, even if it is damaged. An empty file counts too.
 ///
-/// Throws  Error  when files::beginning_of does
+/// Throws  Error  when the path is not that of a regular file that can be read
 bool is_light(const std::filesystem::path& path);
 
 /// Light read from a file, and the key with which it was written.

@@ -93,8 +93,8 @@ double budget_of(const std::string& text) {
   return *budget;
 }
 
-/// Settings that select the method of Yapo & Cutler (2009) (as_the_paper), or any photon tracing (of_photons). Without
-/// them, a plan does not use photons.
+/// Conditions on the settings: those that select the method of Yapo & Cutler (2009), and those that select any photon
+/// tracing. If neither are met, a plan does not use photons.
 const request::Conditions as_the_paper{{"quality", {"paper"}}},
     of_photons{{"solver", {"photons", "literal"}}, {"photons"}, {"quality", {"paper"}}};
 

@@ -10,7 +10,7 @@ namespace coppermoon::uses {
 inline constexpr const char *air_heading = "The Earth's air",
                             *light_heading = "How light is computed";
 
-/// Parameters of a column of air that a fit determines (describe_sought) or takes as given (describe_layers).
+/// Parameters of a column of air: those that a fit determines, then (describe_layers) those that it takes as given.
 void describe_sought(request::Parameters& is, ColumnChange& column);
 void describe_layers(request::Parameters& is, ColumnChange& column);
 
@@ -59,11 +59,11 @@ plan::Work everything_but(const std::string& list);
 /// Given  parameters  those of the air; any others are ignored
 std::string air_in_words(const request::Parameters& parameters);
 
-/// Recipe in which numbers that the planner chose (bands, rays) replace the settings it planned from (tolerance), so
-/// that every machine renders the same Moon. `quality` is kept, because it may imply other settings too.
+/// Recipe with the numbers that the planner chose, such as rays, instead of the settings it planned from, such as the
+/// tolerance. Every machine then renders the same Moon. `quality` is kept, because it may imply other settings too.
 request::Recipe with_work(const request::Recipe& recipe, const plan::Work& work);
 
-/// Whether a setting is one that the planner can choose, or one from which it plans, such as the tolerance.
+/// Whether a setting is chosen by the planner, such as rays, or is one it plans from, such as the tolerance.
 bool is_planned(const request::Setting& setting);
 
 /// Recipe of all settings on which photons depend. Sums of photons with a different recipe are refused.

@@ -111,7 +111,7 @@ bool leaves_scattered_light(const plan::Plan& plan) {
   return scattered != all.end() && scattered->size > plan.error / 20;
 }
 
-/// Relative error of luminance on the disc, found by a check. For photons it is at least two standard errors.
+/// Relative error of luminance on the disc, measured by error_found. For photons it is at least two standard errors.
 ///
 /// Given  twilight  scattered light that `light` includes; nullopt if it includes none
 double found_error(const ShadowedMoon& moon, const Moonlight& light,
@@ -155,7 +155,7 @@ shadow::RefractedLight planned_refracted_light(const LightRequest& request, cons
   auto limited = request;
   limited.solver = plan.work.solver;
   if (request.wish.budget_s && !request.photons) limited.photons = plan.work.photons;
-  // Unless photons are requested, tracing stops at this number, even if the darkest sector has too few of them.
+  // Unless photons are requested, tracing stops at this number of them, even if the darkest sector has too few.
   const double most = wants_photons(request) ? most_photons : std::max(1e6, 16 * plan.work.photons);
   const auto& distances = rig.axis_distances_m;
   const shadow::StoppingRule enough{

@@ -64,7 +64,7 @@ bool limb_darkening_of(const LightRequest& request);
 /// The Moon at one moment, in the shadow of the requested Earth and air.
 ShadowedMoon shadowed_moon(const LightRequest& request, const almanac::SkyState& sky);
 
-/// Wavelengths and places at which light is computed on each plane.
+/// Wavelengths and places at which light is computed on each plane across the shadow.
 struct LightGrid {
   std::span<const double> wavelengths_nm;
   std::span<const double> axis_distances_m{};   ///< unused by photons, which are gathered in rings
@@ -91,10 +91,10 @@ struct Moonlight {
   /// Largest relative error of luminance on the disc: 1.2 times the largest at sample places, or 0 if not determined.
   double error_found = 0;
 
-  /// Look-up of the light in channels, computed with weights (channel, band) for the bands of band_edges_nm.
+  /// Look-up table of the light in channels, with weights (channel, band) for the bands of band_edges_nm.
   shadow::Lookup in_channels(const shadow::ChannelWeights& weights) const;
 
-  /// Look-up of the light in channels, computed with weights (channel, wavelength) for the plan's wavelengths.
+  /// Look-up table of the light in channels, with weights (channel, wavelength) for the plan's wavelengths.
   shadow::Lookup in_sums(const shadow::ChannelWeights& weights, const shadow::LookupRange& within,
                          shadow::LightPart part = shadow::LightPart::all) const;
 };

@@ -55,7 +55,7 @@ Range disc_of(const ShadowedMoon& moon) {
   return disc;
 }
 
-/// Number of sample places across a range, given the number across one lunar diameter, which is also the minimum.
+/// Number of sample places across a range: `a_diameter` for each lunar diameter, and at least that many.
 int places_over(Range disc, int a_diameter) {
   const double diameters = (disc.to_m - disc.from_m) / (2 * lunar_radius_m);
   return static_cast<int>(std::ceil(a_diameter * std::max(1., diameters) - 1e-9));
@@ -70,7 +70,7 @@ std::vector<double> evenly(Range range, int intervals) {
 
 constexpr std::size_t sectors_of_a_trial = 24;
 
-/// Sectors that the Moon's disc covers when its centre is at the given place.
+/// Sectors around the shadow's axis that the Moon's disc covers when its centre is at the given place.
 shadow::Sectors sectors_of(const eclipse::ShadowPlace& place, std::size_t around) {
   const double centre = algebra::in_metres(place.axis_distance);
   if (centre <= lunar_radius_m) return {around};
@@ -79,7 +79,7 @@ shadow::Sectors sectors_of(const eclipse::ShadowPlace& place, std::size_t around
   return shadow::between_angles(around, middle - half, middle + half);
 }
 
-/// Sectors that the disc covers along its whole path: all except those in the widest gap.
+/// Sectors around the shadow's axis that the disc covers along its whole path: all except those in the widest gap.
 shadow::Sectors sectors_of(const ShadowedMoon& moon, std::size_t around) {
   std::vector<shadow::Sectors> taken;
   for (const auto& place : centres(moon)) taken.push_back(sectors_of(place, around));
@@ -200,8 +200,8 @@ std::vector<double> scattered_at(std::span<const double> places_m,
   return most;
 }
 
-/// Adds axis distances where light is least smooth. Direct light begins between the umbra's edges for the Earth's polar
-/// and equatorial radius, and it changes fastest just inside the penumbra's edge.
+/// Adds axis distances where light is least smooth: between the umbra's edges for the Earth's polar and equatorial
+/// radii, where direct light begins, and just inside the penumbra's edge, where it changes fastest.
 void add_edges_of_the_shadow(const ShadowedMoon& moon, const shadow::Arrangement& arrangement,
                              Range disc, std::vector<double>& places_m) {
   constexpr double a_node_m = 10e3, within_penumbra_m = 150e3;
@@ -305,7 +305,7 @@ plan::Scene scene_of(const ShadowedMoon& moon, const Purpose& purpose) {
     one_column.regions = false;
     const auto alike = tried(moon, air_for(one_column, moon), places);
     if (air_by_place) scene.without_regions = margin * largest_change(coarse, alike);
-    if (scene.ellipsoid) {  // uniform air gives the same difference, four times faster
+    if (scene.ellipsoid) {  // its effect is the same in uniform air, computed four times faster
       auto sphere = one_column;
       sphere.ellipsoid = false;
       scene.without_ellipsoid =
@@ -350,7 +350,7 @@ double depth_between_planes(const ShadowedMoon& moon, int planes) {
 }
 
 /// Settings for the light against which errors are measured. Its number of sectors has no divisor in common with a
-/// plan's, so that their middles do not coincide. With regions there are fewer sectors, because each takes more time.
+/// plan's, so that the middles of sectors do not coincide. With regions there are fewer, because each takes more time.
 shadow::QuadratureSettings settings_of_check(const plan::Work& finer, const ShadowedMoon& moon) {
   const std::size_t around = moon.air.regions.empty() ? 29 : 13;
   auto settings = quadrature_for(finer, moon, around);
@@ -370,7 +370,7 @@ class ExactLight {
       : depth_m_(depth_m),
         settings_(settings_of_check(finer(work), moon)),
         weights_(at_wavelengths(luminance_weights(), finer(work).bands)) {
-    constexpr double off_nodes = 0.07;  // [lunar radii]; offset from places where light is known
+    constexpr double off_nodes = 0.07;  // [lunar radii]; away from places where light was computed
     const auto disc = disc_of(moon);
     auto places =
         evenly({disc.from_m + off_nodes * lunar_radius_m, disc.to_m}, places_over(disc, 15));

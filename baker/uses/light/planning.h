@@ -70,14 +70,14 @@ shadow::ChannelWeights luminance_weights();
 /// How a check of the light's error treats scattered light.
 struct ScatteredInCheck {
   std::optional<shadow::RefractedLight>
-      computed{};       ///< twilight in the checked light (twilight_about), itself not checked
+      computed{};       ///< twilight that the checked light includes; it is not checked itself
   bool counts = false;  ///< whether scattered light, if not computed, counts as error
 };
 
 /// Largest relative error of luminance at sample places, in comparison with light that has all terms and finer settings
 /// (plan::finer). The places are spread evenly over the disc, with more where light is least smooth. All lie at the
 /// depth farthest from the planes. Places without refracted light are ignored within 1 km of where direct sunlight
-/// begins. The nodes of the look-up are 1 km apart, so errors there mean nothing.
+/// begins. The points of the look-up table are 1 km apart, so errors there mean nothing.
 ///
 /// Given  luminance  one channel, made with luminance_weights
 double error_found(const ShadowedMoon& moon, const plan::Work& work,

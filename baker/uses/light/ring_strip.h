@@ -14,7 +14,7 @@ namespace coppermoon::uses {
 /// Earth's centre, from celestial north through east.
 struct RingFigures {
   almanac::SelenographicPoint place;  ///< the observer's place on the Moon
-  algebra::Angle inner, outer;        ///< angles from the Earth's centre to the strip's edges
+  algebra::Angle inner, outer;        ///< angles from the Earth's centre to the image's edges
   double earth_distance_km = 0;
   algebra::Angle earth_altitude;
   std::optional<algebra::Angle> zenith;  ///< position angle; none if the Earth is at the zenith

@@ -54,7 +54,7 @@ void describe(Field&& is, const ShadowProfile& profile) {
      "standard error of the ratio, of photons, shape (D, W)");
 }
 
-/// Throws  Error  when refracted_light does, no wavelength is given, or distances do not increase within 0 to 1e8 m
+/// Throws  Error  when no wavelength is given, distances do not increase within 0 to 1e8 m, or refracted_light throws
 ShadowProfile shadow_profile(const LightRequest& request, const ShadowCut& cut,
                              const ProfilePlaces& places = {},
                              const algebra::Progress& progress = {});

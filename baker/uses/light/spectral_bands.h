@@ -61,8 +61,8 @@ algebra::Grid<double> white_ground_weights(
 algebra::Grid<double> moonlight_weights(const algebra::Grid<double>& response,
                                         const std::optional<atmosphere::Sightline>& sightline = {});
 
-/// Value of surface::colour_spectrum minus its mean over moonlight as the eye sees it. Ground of any colour therefore
-/// keeps its normal albedo in V.
+/// Value of surface::colour_spectrum minus its mean, weighted by moonlight and the eye's response. Ground of any colour
+/// therefore keeps its normal albedo in V.
 double colour_at(double wavelength_nm);
 
 /// Weights of moonlight for the reddest ground, followed by those for the bluest ground (surface::strongest_colour),

@@ -14,7 +14,7 @@ namespace coppermoon::uses {
 ///
 /// Given   place_name  name such as "Honolulu", or coordinates
 ///         made        moment at which the file is made
-/// Throws  Error       if require_in_calendars does
+/// Throws  Error       if no calendar file can hold the eclipse, or the place does not see it
 std::string as_calendar(const Circumstances& night, const std::string& place_name,
                         const almanac::Instant& made);
 
@@ -37,7 +37,7 @@ std::string as_calendar(const std::vector<eclipse::Eclipse>& eclipses,
 ///                because a calendar needs at least one event
 void require_in_calendars(const std::vector<eclipse::Eclipse>& eclipses);
 
-/// Refuses nights if no calendar file can hold their eclipses, or if the place sees none of the eclipses.
+/// Refuses nights with eclipses that no calendar file can hold, or if the place sees none of the eclipses.
 void require_in_calendars(const std::vector<Circumstances>& nights, const std::string& place_name);
 
 }  // namespace coppermoon::uses

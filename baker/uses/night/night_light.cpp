@@ -23,7 +23,7 @@ namespace {
 
 using almanac::Instant;
 
-/// Level to which the umbra's median is exposed, and highest level allowed for the sky, both relative to saturation.
+/// Level to which the umbra's median light is exposed, and highest level for the sky, both relative to saturation.
 constexpr double umbra_level = 0.18, most_sky_level = 0.5;
 /// A place counts as being in the umbra if it is fainter than the disc's brightest places by more than this factor.
 constexpr double umbra_contrast = 200;
@@ -263,7 +263,7 @@ std::vector<PhaseExposure> danjon_exposures(const Instant& greatest, const MoonR
   return exposures;
 }
 
-/// Time in which the Moon's image trails by two pixels (4 µm wide if unknown), or nothing without a focal length.
+/// Time in which the Moon's image trails by two pixels; nothing without a focal length. Unknown pixels count as 4 µm.
 std::optional<double> trailing_of(const Circumstances& night, const ViewRequest& view,
                                   const Development& development) {
   constexpr double usual_pixel_um = 4;

@@ -87,7 +87,7 @@ struct NightLights {
 /// The Moon is seen through the place's air, with the sky's light added. It is exposed by the automatic rule of
 /// exposures_for. During the partial phase, the part in the umbra gets an exposure time of its own, which brings its
 /// median to 0.18 of saturation. No time lets the sky exceed half of saturation. If a focal length is given, no time
-/// lets the Moon trail by more than two pixels (4 µm wide if unknown).
+/// lets the Moon trail by more than two pixels. If the width of pixels is unknown, it is taken as 4 µm.
 ///
 /// Given   moon  may have a tolerance of some percent for the light
 ///         view  gives the observer, the air above, and the focal length

@@ -61,7 +61,7 @@ std::string curve_rows(const std::vector<std::pair<double, double>>& points) {
 
 /// Shade of each cell of the map (two degrees wide): 0 if nothing of the eclipse is seen, 1 for some of it, 2 for all.
 std::string shade_rows(const eclipse::Eclipse& eclipse) {
-  constexpr int steps = 48;  // in at most six hours, so the Moon moves less than a cell per step
+  constexpr int steps = 48;  // in steps of at most 7.5 min, the Moon moves less than a map cell
   const auto& [first, last] = std::pair(*eclipse.contacts.P1, *eclipse.contacts.P4);
   std::vector<UnderMoon> moons;
   for (int i = 0; i <= steps; ++i)

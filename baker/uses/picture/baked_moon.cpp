@@ -123,7 +123,7 @@ std::vector<Band> bands_of(const algebra::Grid<double>& shares) {
 constexpr double spectrum_nm = 400;
 
 /// Adds spectral channels named after their middle wavelengths, such as "S0.385,000000nm". If there are fewer simulated
-/// wavelengths than bands, light is looked up by wavelength, which saves 95 % of the memory for bands of 1 nm.
+/// wavelengths than bands, light is looked up by wavelength. With bands of 1 nm, this takes 95 % less memory.
 Channels with_spectrum(Channels channels, double width_nm, int wavelengths,
                        const std::optional<atmosphere::Sightline>& sightline) {
   const auto edges = band_edges_nm();

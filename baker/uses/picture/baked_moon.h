@@ -22,7 +22,7 @@ namespace coppermoon::uses {
 /// What a texture contains, and the type of its numbers.
 struct TextureContent {
   std::optional<colour::WorkingSpace> space{};  ///< if absent, linear Rec.709
-  std::optional<texture::ExrType> type{};       ///< if absent, half, or float with a spectrum
+  std::optional<texture::ExrType> type{};       ///< if absent: half, or float with a spectrum
   std::optional<double> spectral_nm{};  ///< width of the spectral bands; if absent, no bands
   bool passes = false;                  ///< whether to store the light's components too
 };
@@ -41,9 +41,9 @@ struct LitMoon {
   std::shared_ptr<const algebra::Grid<float>> albedo;
   std::shared_ptr<const surface::Ground> ground;  ///< if nullptr, the mean Moon's ground everywhere
   std::shared_ptr<const Moonlight> light;
-  /// Range of the shadow that the Moon's disc covers; if absent, the whole disc is in direct sunlight.
+  /// Part of the shadow that the Moon's disc covers; if absent, the whole disc is in direct sunlight.
   std::optional<shadow::LookupRange> within;
-  /// The observer, at the Earth's centre if absent, and the line of sight through the air that reddens the Moon.
+  /// The observer, and the line of sight through the air that reddens the Moon. If absent: the Earth's centre, no air.
   std::optional<almanac::Observer> observer = {};
   std::optional<atmosphere::Sightline> sightline = {};
 };

@@ -20,8 +20,8 @@ struct CameraColours {
   glm::dmat3 channels_from_xyz{1};     ///< from XYZ to channels in which daylight (D65) is white
   glm::dmat3 rec709_from_channels{1};  ///< from channels balanced for daylight to Rec.709
   glm::dvec3 gains{1};                 ///< as-shot gains divided by the gains for daylight
-  /// Light that is added to every channel of Rec.709, as a fraction of the brightest. Dark channels are that much
-  /// too bright on average, because colours outside the gamut are clipped at 0, and noise and stray light are positive.
+  /// Light that is added to every channel of Rec.709, as a fraction of the brightest. Photographs show dark channels
+  /// too bright by about this, as colours outside the gamut are clipped at 0, and noise and stray light are positive.
   double lift = 0.01;
 };
 
@@ -33,7 +33,7 @@ struct CameraColours {
 CameraColours camera_colours(const std::optional<std::string>& response,
                              const std::optional<std::array<double, 3>>& as_shot);
 
-/// Converts moonlight to linear Rec.709, moved into the gamut as in renders. Channels are at least 1e-12 in xyz's unit.
+/// Converts moonlight to linear Rec.709, moved into the gamut. Channels are at least 1e-12, in the unit of `xyz`.
 ///
 /// Given  xyz  CIE XYZ of the moonlight, in any unit
 std::array<double, 3> rec709_of(std::span<const double> xyz);

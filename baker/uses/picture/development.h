@@ -45,7 +45,7 @@ struct Development {
 /// Exposure of a picture, or both exposures of a composite.
 struct Exposures {
   colour::Exposure shorter;
-  std::optional<double> longer_s = {};  ///< only in a composite; not less than the shorter time
+  std::optional<double> longer_s = {};  ///< longer exposure time, in a composite only
   bool a_cameras = true;                ///< if false, exposures only set the luminance of white
 };
 

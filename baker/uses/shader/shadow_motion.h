@@ -22,7 +22,7 @@ struct ShadowMotion {
   double half_s = 0;                              ///< half of the time that the series cover
   std::array<std::vector<double>, 3> centre{};    ///< [east, north, depth][power], lunar radii
   std::array<std::vector<glm::dvec3>, 3> axes{};  ///< [east, north, depth][power], unit vectors
-  double nearest = 0, farthest = 0;               ///< depths of the Moon's centre [lunar radii]
+  double nearest = 0, farthest = 0;  ///< depths of the Moon's centre in the shadow [lunar radii]
 };
 
 /// The Moon's motion from at least ten minutes before the first contact to at least ten minutes after the last.
