@@ -305,7 +305,7 @@ TEST_F(FitThoroughly, OfAStrangersNightFindsTheClock) {
 }
 
 TEST_F(Fit, ReadsAnInstantForEachPhotograph) {
-  run("oiiotool --create 80x64 3 -o dot.png");
+  run("oiiotool --create 20x16 3 -o dot.png");
   std::filesystem::copy(here("dot.png"), here("other.png"));
   EXPECT_SAYS(refused("dot.png other.png --instants 2018-07-20T20:40:00Z,2018-07-27T20:40:00Z "
                       "--albedo-map built-in"),

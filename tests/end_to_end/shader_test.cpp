@@ -88,12 +88,12 @@ TEST_F(ShaderThoroughly, TimesTheSunlitMoonIsTheBakedMoonAtAllTimes) {
                     sector = "from-position-angle=20,to-position-angle=110,dust-extinction=3e-6";
   const std::vector<Case> cases{
       {{"2018-07-27"}, {-9600, -7500, -5400, -3600, -1800, 0, 2400, 4800, 7200, 9000}},
-      {{"1992-12-09"}, {-6500, -4000, -1500, 1000, 3500}},
-      {{"1963-12-30"}, {-5000, -2500, -1200, 0, 1500, 4000}},
+      {{"1992-12-09"}, {-6500, -4000, -1500, 1000, 3500}, "0.6%"},  // 0.59 % is predicted
+      {{"1963-12-30"}, {-5000, -2500, -1200, 0, 1500, 4000}, "0.6%"},
       {{"2018-07-27", "--danjon", "0"}, {-4800, -2400, 0, 2400, 4800}},
       {{"2021-11-19", "--region", region, "--region", sector},
        {-8000, -3000, 0, 2500, 6000},
-       "0.6%"}};  // 0.59 % is predicted
+       "0.5%"}};
   for (const auto& [eclipse, moments, tolerance] : cases) {
     const Words air(eclipse.begin() + 1, eclipse.end());
     const auto of = shader(eclipse);

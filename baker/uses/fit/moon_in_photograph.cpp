@@ -65,9 +65,13 @@ Channel smaller(const Channel& luminance, double size) {
 
 /// Finds the Moon's disc in a photograph. If noise hides the limb, half and a quarter of the picture's size are tried.
 colour::Disc disc_in(const Channel& luminance) {
-  for (const double size : {1., 0.5, 0.25})
+  constexpr double least_px = 16;  // side of a picture in which limb_of looks for a disc
+  const auto side = static_cast<double>(std::min(luminance.rows(), luminance.columns()));
+  for (const double size : {1., 0.5, 0.25}) {
+    if (size < 1 && size * side < least_px) break;
     if (const auto disc = colour::limb_of(smaller(luminance, size)))
       return {disc->x_px / size, disc->y_px / size, disc->radius_px / size};
+  }
   throw algebra::Error(
       "no Moon found, allowed is one with a quarter of its limb in the picture, neither clipped "
       "nor "
