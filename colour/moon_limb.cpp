@@ -28,10 +28,10 @@ using Luminance = algebra::Grid<float>;
 constexpr double least_radius_px = 6;
 
 void require_luminance(const Luminance& image) {
-  algebra::require_within("width of a picture [pixels]", static_cast<double>(image.columns()), 16,
-                          65535);
-  algebra::require_within("height of a picture [pixels]", static_cast<double>(image.rows()), 16,
-                          65535);
+  algebra::require_within("width of a picture [pixels]", static_cast<double>(image.columns()),
+                          least_side_px, most_side_px);
+  algebra::require_within("height of a picture [pixels]", static_cast<double>(image.rows()),
+                          least_side_px, most_side_px);
   tbb::parallel_for(std::size_t{0}, image.rows(), [&](std::size_t r) {
     for (const float value : image.row(r))
       if (!std::isfinite(value))

@@ -12,6 +12,9 @@ struct Disc {
   double x_px, y_px, radius_px;
 };
 
+/// Shortest and longest side of a picture in which limb_of looks for a disc [pixels].
+inline constexpr double least_side_px = 16, most_side_px = 65535;
+
 /// Finds the Moon's disc in a picture that shows all or part of its limb.
 ///
 /// First, circles are drawn through three random edges at a time, and the edges that lie on a circle vote for it. This
@@ -33,7 +36,7 @@ struct Disc {
 ///           radius of at least 2 % of the picture's width, 99 % are found if it is at least 20 pixels, and 97 % if at
 ///           least 10. Errors are at most 2 % of the radius plus half a pixel, half the blur and the shift of a clipped
 ///           limb. If less than half the limb is seen, errors grow by the factor 1 / (1 - cos(arc / 2))
-/// Throws    Error      when a luminance is not finite, or a side is below 16 or above 65535 pixels
+/// Throws    Error      when a luminance is not finite, or a side is below least_side_px or above most_side_px
 std::optional<Disc> limb_of(const algebra::Grid<float>& luminance);
 
 }  // namespace coppermoon::colour

@@ -91,9 +91,8 @@ void add_photograph_options(Verb& verb, Options& options) {
   };
   add("--instants", options.instants,
       "moments of the photographs in UTC, also as 2018-07-27 U1+40min, one for all or one for "
-      "each, "
-      "with commas between; from-header: as GPS says, or else the cameras' clocks, whose errors "
-      "are then found");
+      "each, with commas between; from-header: as GPS says, or else the cameras' clocks, whose "
+      "errors are then found");
   add("--zone", options.zone,
       "time zone of the cameras' clocks, for --instants from-header, as +02:00 or Europe/Berlin; "
       "default: that in the header, else the one that the shadow on the Moon tells");

@@ -70,6 +70,7 @@ ProgramFolder::ProgramFolder() {
   home_ = ::mkdtemp(name.data());
   for (const char* part : {"here", "tmp", "said"}) std::filesystem::create_directory(home_ / part);
 }
+
 ProgramFolder::~ProgramFolder() { std::filesystem::remove_all(home_); }
 
 std::filesystem::path ProgramFolder::here(std::string_view name) const {

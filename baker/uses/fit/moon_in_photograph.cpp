@@ -65,10 +65,9 @@ Channel smaller(const Channel& luminance, double size) {
 
 /// Finds the Moon's disc in a photograph. If noise hides the limb, half and a quarter of the picture's size are tried.
 colour::Disc disc_in(const Channel& luminance) {
-  constexpr double least_px = 16;  // side of a picture in which limb_of looks for a disc
   const auto side = static_cast<double>(std::min(luminance.rows(), luminance.columns()));
   for (const double size : {1., 0.5, 0.25}) {
-    if (size < 1 && size * side < least_px) break;
+    if (size < 1 && size * side < colour::least_side_px) break;
     if (const auto disc = colour::limb_of(smaller(luminance, size)))
       return {disc->x_px / size, disc->y_px / size, disc->radius_px / size};
   }
