@@ -20,7 +20,7 @@ void set_missing_variable(const char* name, const std::string& value) {
 }
 
 std::filesystem::path users_caches() {
-  if (const std::filesystem::path xdg = variable("XDG_CACHE_HOME"); xdg.is_absolute()) return xdg;
+  if (std::filesystem::path xdg = variable("XDG_CACHE_HOME"); xdg.is_absolute()) return xdg;
   std::filesystem::path home = variable("HOME");
   if (home.empty())
     if (const auto* user = ::getpwuid(::geteuid())) home = user->pw_dir;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <random>
 #include <system_error>
 
 #include "algebra/error.h"
@@ -27,6 +28,18 @@ RemovalAtEnd::RemovalAtEnd(const std::filesystem::path& path) {
     alive_->out.close();
   } catch (const algebra::Error&) {
   }
+}
+
+TemporaryFolder::TemporaryFolder() {
+  require_temporary_folder();
+  std::random_device random;
+  path_ = std::filesystem::temp_directory_path() /
+          fmt::format("coppermoon-{:08x}{:08x}", random(), random());
+  removal_.emplace(path_);  // first, so that a program killed in between leaves no folder
+  auto reason = make_folder_for_user(path_);
+  if (!reason && !belongs_to_user(path_)) reason = std::make_error_code(std::errc::file_exists);
+  if (reason)
+    throw algebra::Error(fmt::format("{}: cannot be made: {}", path_.string(), reason.message()));
 }
 
 TemporaryFolder::~TemporaryFolder() {

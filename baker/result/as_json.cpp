@@ -16,7 +16,7 @@ std::string text_of(const Json& value) {
 
 /// Text of a CSV cell (RFC 4180). A cell with a comma, quote or line break is quoted, and quotes in it are doubled.
 std::string cell(const Json& value) {
-  const auto text = text_of(value);
+  auto text = text_of(value);
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);

@@ -117,8 +117,9 @@ double aerosol_scale_of(const LightRequest& request, Unknowns unknowns,
   if (unknowns == Unknowns::amounts) return scale_of_dust_per_m;
   auto unit = request;
   unit.air = with_unit_factors(unit.air);
+  const auto moon = shadowed_moon(unit, sky);  // holds the columns
   double sum = 0, count = 0;
-  for (const auto* column : shadowed_moon(unit, sky).air.columns())
+  for (const auto* column : moon.air.columns())
     if (column->stratospheric_layer) {
       sum += column->stratospheric_layer->optical_depth();
       ++count;

@@ -71,15 +71,15 @@ Suspect suspect_of(const std::vector<Misfit>& all, const Misfit& worst) {
     ++photographs[misfit.photograph];
     if (misfit.photograph == worst.photograph) own.push_back(misfit);
   }
-  const double of_channel =
-      share_of(all, [&](const Misfit& one) { return one.channel == worst.channel; });
+  const auto of_channel = [&](const Misfit& one) { return one.channel == worst.channel; };
   const auto of_worst = [&](const Misfit& one) { return one.photograph == worst.photograph; };
   if (photographs.size() > 1 && share_of(all, of_worst) > most_of_it) {
     const auto suspect = of_one_photograph(own);
     // a wrong time would change the light in all channels
-    return suspect == Suspect::instant && of_channel > nearly_all ? Suspect::colours : suspect;
+    return suspect == Suspect::instant && share_of(own, of_channel) > nearly_all ? Suspect::colours
+                                                                                 : suspect;
   }
-  if (of_channel > most_of_it) return Suspect::colours;
+  if (share_of(all, of_channel) > most_of_it) return Suspect::colours;
   const auto worst_within = [&](double from_km, double to_km) {
     return share_of(all, [&](const Misfit& one) {
              return one.worst_km >= from_km && one.worst_km < to_km;

@@ -76,7 +76,7 @@ texture::Attributes header(const LitMoon& moon, const TextureContent& content,
   return attributes;
 }
 
-constexpr std::size_t colours = 3;
+constexpr std::size_t colour_count = 3;
 
 /// A spectral band of a texel, computed as a weighted sum of the values that are looked up for the texel.
 struct Band {
@@ -147,11 +147,11 @@ Channels with_spectrum(Channels channels, double width_nm, int wavelengths,
 /// Fills a texel: copies its three colours, computes its spectral bands, and sets negative bands to 0.
 void write_bands(std::span<const Band> bands, std::span<const float> looked_up,
                  std::span<float> texel) {
-  std::ranges::copy(looked_up.first(colours), texel.begin());
+  std::ranges::copy(looked_up.first(colour_count), texel.begin());
   for (std::size_t b = 0; b < bands.size(); ++b) {
-    const auto light = looked_up.subspan(colours + bands[b].first);
+    const auto light = looked_up.subspan(colour_count + bands[b].first);
     const auto& shares = bands[b].shares;
-    texel[colours + b] =
+    texel[colour_count + b] =
         std::max(0.F, std::inner_product(shares.begin(), shares.end(), light.begin(), 0.F));
   }
 }
@@ -159,7 +159,7 @@ void write_bands(std::span<const Band> bands, std::span<const float> looked_up,
 texture::Rows with_bands(texture::Rows lit, std::size_t looked_up, std::vector<Band> bands) {
   return [lit = std::move(lit), looked_up, bands = std::move(bands)](std::size_t row,
                                                                      std::span<float> values) {
-    const std::size_t channels = colours + bands.size(), texels = values.size() / channels;
+    const std::size_t channels = colour_count + bands.size(), texels = values.size() / channels;
     std::vector<float> light(texels * looked_up);
     lit(row, light);
     tbb::parallel_for(std::size_t{0}, texels, [&](std::size_t t) {
@@ -176,7 +176,7 @@ shadow::Lookup light_in(const LitMoon& moon, const Channels& channels, colour::W
                            : shadow::Lookup(weights, channels.light);
   light.transform([&](auto values) {
     for (std::size_t first = 0; first < values.size(); first += channels.weights.rows())
-      into_gamut_or_black(space, values.subspan(first, colours));
+      into_gamut_or_black(space, values.subspan(first, colour_count));
   });
   return light;
 }

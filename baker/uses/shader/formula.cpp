@@ -15,10 +15,12 @@ namespace {
 /// A node in an expression tree: a step of the formula together with its operands.
 class Value {
  public:
+  // NOLINTBEGIN(google-explicit-constructor): numbers and vectors are operands as they are
   Value(double x) : Value("constant", number_type, {}) { node_->step.constant = {x}; }
   Value(const glm::dvec3& v) : Value("constant", vector_type, {}) {
     node_->step.constant = {v.x, v.y, v.z};
   }
+  // NOLINTEND(google-explicit-constructor)
   Value(const char* operation, const std::string& type, std::vector<Value> operands)
       : node_(std::make_shared<Node>(Step{operation, type}, std::move(operands))) {}
 

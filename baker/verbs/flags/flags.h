@@ -32,8 +32,10 @@ struct Verb {
   std::function<void()> run{};  ///< runs the command once its parameters are set
   Program* program = nullptr;   ///< nullptr if the command only serves to read a recipe
   Documents documents{};
-  std::vector<std::string> typed{};     ///< parameters set on the command line, not by a recipe
-  std::vector<std::string> recorded{};  ///< parameters set by the header of a file made before
+  std::vector<std::string> typed{};  ///< parameters set on the command line, not by a recipe
+  /// Parameters set by the header of a file that the program made. A header states all settings of the file's light,
+  /// typed or not.
+  std::vector<std::string> recorded{};
 };
 
 /// The program, with its commands and the parameters common to all. It cannot be moved, because parameters refer to it.

@@ -199,7 +199,8 @@ void take_recipe(Verb& verb, const std::string& path) {
   for (const auto& setting : made ? of_frame(verb, path, recipe) : recipe)
     if (auto* parameter = heeded(verb, setting, made); parameter && !is_typed(verb, setting.name)) {
       take(verb, *parameter, setting, made ? path : "");
-      if (made) verb.recorded.push_back(setting.name);
+      if (made && parameter->affects <= request::Affects::light)
+        verb.recorded.push_back(setting.name);
     }
 }
 

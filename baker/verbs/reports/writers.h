@@ -30,7 +30,7 @@ using Writers = std::vector<Writer<Result>>;
 /// Makes a writer from a function that converts the result to text, such as a table.
 template <class Result>
 Writer<Result> writer_of(files::Ending ending, std::string (*text)(const Result&)) {
-  return {std::move(ending), [text](const Result& result, const std::filesystem::path& file) {
+  return {ending, [text](const Result& result, const std::filesystem::path& file) {
             files::write_whole(file, text(result));
           }};
 }
@@ -38,7 +38,7 @@ Writer<Result> writer_of(files::Ending ending, std::string (*text)(const Result&
 /// Makes a writer from a function that converts the result to a JSON document.
 template <class Result>
 Writer<Result> writer_of(files::Ending ending, result::Json (*document)(const Result&)) {
-  return {std::move(ending), [document](const Result& result, const std::filesystem::path& file) {
+  return {ending, [document](const Result& result, const std::filesystem::path& file) {
             files::write_whole(file, document(result).dump(2) + "\n");
           }};
 }

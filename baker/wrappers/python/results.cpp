@@ -35,7 +35,7 @@ std::string text_of(py::handle value) {
 }  // namespace
 
 py::object shown(const result::Field& field, const py::dict& values) {
-  const auto value = py::reinterpret_borrow<py::object>(values[field.key.c_str()]);
+  auto value = py::reinterpret_borrow<py::object>(values[field.key.c_str()]);
   if (value.is_none()) return value;
   if (field.kind == result::Kind::instant) return datetime_of(value.cast<std::string>());
   if (field.kind != result::Kind::by_name || field.of != result::Kind::instant) return value;
