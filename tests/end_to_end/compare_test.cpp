@@ -69,6 +69,31 @@ class Compare : public ProgramTest {
     texture::write_png(here(name), photographed(frame_, truth_, value_per_cd_m2), bits, attributes);
   }
 
+  /// photo.jpg of a camera with the tone curve of a Canon EOS 6D, and its pixels.
+  OIIO::ImageBuf write_jpeg(const texture::Image& frame) const {
+    const auto curve = measured_tone_curves().at("Canon EOS 6D").smooth();
+    auto shown = photographed(frame, truth_, scale_);
+    for (float& value : shown.values) {
+      const double v = value, light = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+      value = coded(curve(light));
+    }
+    OIIO::ImageSpec spec(static_cast<int>(side), static_cast<int>(side), 3, OIIO::TypeDesc::UINT8);
+    spec.attribute("compression", "jpeg:95");
+    spec.attribute("Make", "Canon");
+    OIIO::ImageBuf photo(spec);
+    photo.set_pixels(OIIO::ROI(), OIIO::TypeDesc::FLOAT, shown.values.data());
+    EXPECT_TRUE(photo.write(here("photo.jpg").string()));
+    return photo;
+  }
+
+  /// The frame behind a blue sky. Where all is sky, its blue is `share` of white in the photograph.
+  texture::Image behind_sky(double share) const {
+    auto frame = frame_;
+    for (std::size_t i = 2; i < frame.values.size(); i += 3)
+      frame.values[i] += static_cast<float>(share / scale_);
+    return frame;
+  }
+
   json compared(const Words& words) const { return json_of(Words{"compare"} + words); }
 
   void expect_registered(const json& found) const {
@@ -186,18 +211,7 @@ TEST_F(Compare, FitsTheExposureWhereTheHeaderIsSilent) {
 }
 
 TEST_F(Compare, FindsTheToneCurveOfACamera) {
-  const auto curve = measured_tone_curves().at("Canon EOS 6D").smooth();
-  auto shown = photographed(frame_, truth_, scale_);
-  for (float& value : shown.values) {
-    const double v = value, light = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-    value = coded(curve(light));
-  }
-  OIIO::ImageSpec spec(static_cast<int>(side), static_cast<int>(side), 3, OIIO::TypeDesc::UINT8);
-  spec.attribute("compression", "jpeg:95");
-  spec.attribute("Make", "Canon");
-  OIIO::ImageBuf photo(spec);
-  photo.set_pixels(OIIO::ROI(), OIIO::TypeDesc::FLOAT, shown.values.data());
-  ASSERT_TRUE(photo.write(here("photo.jpg").string()));
+  auto photo = write_jpeg(frame_);
   const auto found = compared("photo.jpg frame.exr --bins 6");
   EXPECT_EQ(found["light"]["coding"], "camera");
   EXPECT_EQ(found["light"]["tone_curve"].size(), 3U);
@@ -226,6 +240,24 @@ TEST_F(Compare, FindsTheToneCurveOfACamera) {
       developed.err,
       "coppermoon: developed.jpg: developed by darktable 4.2.1, so read as sRGB, as the file says; "
       "--coding camera takes the camera's own tone curve\n");
+}
+
+TEST_F(Compare, FindsNoWhiteBalanceInASkyThatTheFrameLacks) {
+  write_jpeg(behind_sky(0.007));
+  const auto balance = compared("photo.jpg frame.exr")["white_balance"];
+  EXPECT_WITHIN(balance["red"].get<double>(), 1, 0.1, "as without a sky");
+  EXPECT_WITHIN(balance["blue"].get<double>(), 1, 0.3,
+                "sky adds a half to the darkest blue used, and few steps are brighter");
+  auto bright = behind_sky(0.1);
+  OIIO::ImageBuf frame(here("frame.exr").string());
+  ASSERT_TRUE(frame.read(0, 0, true, OIIO::TypeDesc::FLOAT));
+  frame.set_pixels(OIIO::ROI(), OIIO::TypeDesc::FLOAT, bright.values.data());
+  ASSERT_TRUE(frame.write(here("sky.exr").string()));
+  for (std::size_t i = 2; i < bright.values.size(); i += 3) bright.values[i] *= 1.3F;
+  write_jpeg(bright);
+  const auto of_both = compared("photo.jpg sky.exr")["white_balance"];
+  EXPECT_WITHIN_RELATIVE(of_both["blue"].get<double>(), 1.3, 0.1,
+                         "the frame has this sky, too, so dark blue counts");
 }
 
 TEST_F(Compare, SaysByHowManyStopsAHeaderIsWrong) {

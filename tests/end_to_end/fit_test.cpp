@@ -89,6 +89,15 @@ TEST_F(Fit, OfAPhotographFindsItsAir) {
   EXPECT_WITHIN(counted["cloud_cover"]["median"].get<double>(), 0.4, 0.15, "as above");
 }
 
+TEST_F(Fit, SaysWhichEclipseADateMisses) {
+  photograph("100", {});
+  texture::write_png(here("b.png"), texture::read_image(here("a.png")), 16,
+                     {{"capDate", "2018:07:25 10:00:00"}});
+  expect_refused("fit b.png --instants from-header",
+                 "b.png: dated 2018-07-25T10:00, which no time zone puts into the eclipse of "
+                 "2018-07-27: its clock was wrong");
+}
+
 TEST_F(Fit, ExplainsAStillInTheAirOfItsMonth) {
   constexpr const char* instant = "2018-07-27T19:40:17Z";
   make(words_of("still {} --at Nairobi --width 600 --height 400 -o st.png", instant));

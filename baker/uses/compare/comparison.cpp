@@ -203,6 +203,34 @@ double fitted_exposure(const Pixels& pixels) {
   return median(ratios);
 }
 
+/// Median light beside the Moon's disc, by channel: light of sky and lens, and noise. If the picture ends before, 0.
+glm::dvec3 light_beside(const texture::Image& picture, const colour::Disc& disc) {
+  constexpr double inner = 1.1, outer = 1.5;  // radii of the disc
+  std::array<std::vector<double>, 3> light;
+  for (std::size_t r = 0; r < picture.height; ++r)
+    for (std::size_t c = 0; c < picture.width; ++c) {
+      const double radii = std::hypot(static_cast<double>(c) + 0.5 - disc.x_px,
+                                      static_cast<double>(r) + 0.5 - disc.y_px) /
+                           disc.radius_px;
+      if (radii > inner && radii < outer)
+        for (std::size_t k = 0; k < 3; ++k) light[k].push_back(picture(r, c, k));
+    }
+  glm::dvec3 middle(0);
+  for (int k = 0; k < 3; ++k)
+    if (auto& all = light[static_cast<std::size_t>(k)]; !all.empty()) middle[k] = median(all);
+  return middle;
+}
+
+/// Light of the sky that lies over the Moon in the photograph, but not in the frame.
+glm::dvec3 added_sky(const texture::Image& photo, const texture::Image& frame,
+                     const colour::Registration& found) {
+  const auto& [x, y, radius] = found.in_photo;
+  const auto centre = colour::moved(colour::inverse(found.render_to_photo), {x, y});
+  const auto in_frame =
+      light_beside(frame, {centre.x, centre.y, radius / found.render_to_photo.scale});
+  return in_frame == glm::dvec3(0) ? light_beside(photo, found.in_photo) : glm::dvec3(0);
+}
+
 /// Light of a rendered pixel after a camera's colour conversion, in linear Rec.709.
 glm::dvec3 written(const CameraColours& colours, const glm::dvec3& rgb) {
   const auto xyz = xyz_from_rgb() * rgb;
@@ -296,10 +324,12 @@ std::vector<Difference> differences(const Pixels& pixels, double exposure, std::
   return made;
 }
 
-CameraWriting fitted_writing(const Pixels& pixels, const CameraColours& colours) {
+CameraWriting fitted_writing(const Pixels& pixels, const CameraColours& colours,
+                             const glm::dvec3& sky) {
   constexpr double error = 0.03, unknown = 10, of_colours = 0.3;
-  constexpr double settled = 1e-3, most_change = 0.3;
+  constexpr double settled = 1e-3, most_change = 0.3, times_sky = 3;
   constexpr std::size_t many = 10, least = 3, most_rounds = 20;
+  const auto darkest = glm::max(glm::dvec3(colour::least_displayed), times_sky * sky);
   using Vector = Eigen::Vector<double, 3 + colour::tone_numbers>;
   CameraWriting found{{}, colours};
   auto& gains = found.colours.gains;
@@ -313,7 +343,7 @@ CameraWriting fitted_writing(const Pixels& pixels, const CameraColours& colours)
     for (auto& [light, step] : light_steps(pixels, found.colours)) {
       const auto count = static_cast<double>(step.displayed.size());
       const double middle = median(step.displayed);
-      if (step.displayed.size() < many || middle <= colour::least_displayed ||
+      if (step.displayed.size() < many || middle <= darkest[light.second] ||
           middle >= colour::most_displayed)
         continue;
       const double residual = std::log(middle) + colour::tone_logarithm({}, middle) -
@@ -357,7 +387,7 @@ Comparison compared(const texture::Image& photo, const texture::Image& frame,
   if (colours) {
     for (auto& pixel : pixels)
       pixel.clipped |= any_channel_reaches(pixel.photo, colour::most_displayed);
-    writing = fitted_writing(pixels, *colours);
+    writing = fitted_writing(pixels, *colours, added_sky(photo, frame, registration));
     undo(*writing, pixels);
     auto light = pixels_of(moon);
     for (auto& rgb : light.values()) {

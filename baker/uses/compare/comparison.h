@@ -87,11 +87,14 @@ struct CameraWriting {
 ///
 /// The exposure is free. The priors of the gains are the given values, with a standard deviation of 0.3 in ln(gain).
 /// Pixels are grouped in steps of the render's light, and each step's median has an error of 3 %. Levels outside
-/// colour::least_displayed to most_displayed are ignored. The curve absorbs errors of the render in bright and dark
-/// parts, within the range of real cameras. The gains absorb the reddening by the observer's air.
+/// colour::least_displayed to most_displayed are ignored, and so is light of which the sky is more than a third. The
+/// curve absorbs errors of the render in bright and dark parts, within the range of real cameras. The gains absorb the
+/// reddening by the observer's air.
 ///
+/// Given   sky    light of the sky over the Moon, as displayed, that the render does not have
 /// Throws  Error  when there are fewer than three steps of light
-CameraWriting fitted_writing(const std::vector<SharedPixel>& pixels, const CameraColours& colours);
+CameraWriting fitted_writing(const std::vector<SharedPixel>& pixels, const CameraColours& colours,
+                             const glm::dvec3& sky = glm::dvec3(0));
 
 /// A photograph compared with a render.
 struct Comparison {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "uses/fit/clock_scan.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "almanac/calendar.h"
 #include "colour/tone_curve.h"
 #include "eclipse/contacts.h"
 #include "eclipse/shadow_axis.h"
@@ -57,6 +60,9 @@ bool shows_partial_phase(std::span<const ClockView> views, double clock_s) {
 
 constexpr double half_hour_s = 1800;
 
+/// Half the range of a scanned clock, in standard deviations.
+constexpr double deviations = 3;
+
 /// Range of possible clock corrections [s].
 struct Possible {
   double from_s, to_s;
@@ -80,7 +86,8 @@ eclipse::Contacts contacts_of(const FitRequest& request) {
 /// the eclipse.
 Possible possible_clocks(const FitRequest& request) {
   if (!request.half_hours_free) return {-farthest_clock_s(request), farthest_clock_s(request)};
-  constexpr int farthest = 52;  // in half hours; time zones differ by up to 26 hours
+  constexpr std::size_t minutes = 16;  // letters of a moment, without seconds
+  constexpr int farthest = 52;         // in half hours; time zones differ by up to 26 hours
   const auto contacts = contacts_of(request);
   Possible range{};
   std::ptrdiff_t most = 0;
@@ -95,8 +102,11 @@ Possible possible_clocks(const FitRequest& request) {
     if (eclipsed == most) range.to_s = clock_s;
   }
   if (most == 0)
-    throw algebra::Error(
-        "no zone and clock explain the photographs' dates: allowed are those of an eclipse");
+    throw algebra::Error(fmt::format(
+        "{}: dated {}, which no time zone puts into the eclipse of {}: its clock was wrong",
+        request.photographs.front().file,
+        almanac::utc_text(request.photographs.front().instant).substr(0, minutes),
+        almanac::date_text(*contacts.P1)));
   return range;
 }
 
@@ -229,7 +239,29 @@ ScannedClock scanned_clock(const FitGroundwork& groundwork, std::span<const Cloc
   double best_s = best_of(widely);
   for (const auto& [about_s, step_s] : {std::pair{300., 60.}, {45., 15.}})
     best_s = best_of(tried(best_s - about_s, best_s + about_s, step_s));
-  return {best_s, decided};
+  const auto bound = [&](double step_s) {
+    const double most = deviations * deviations +
+                        chi_squared_of({best_s, logarithm_of_misfit(groundwork, views, best_s)});
+    double clock_s = best_s;
+    while (std::abs(clock_s - best_s) < half_hour_s &&
+           chi_squared_of({clock_s, logarithm_of_misfit(groundwork, views, clock_s)}) < most)
+      clock_s += step_s;
+    return clock_s;
+  };
+  constexpr double step_s = 60;
+  return {best_s, decided, bound(-step_s), bound(step_s)};
+}
+
+bool strays(const Clock& clock) {
+  const auto& scan = clock.scanned;
+  return scan && (clock.added_s < scan->from_s || clock.added_s > scan->to_s);
+}
+
+Clock scanned_again(const Clock& clock) {
+  constexpr double least_error_s = 60;
+  const auto& scan = clock.scanned.value();
+  return {scan.seconds, scan.seconds,
+          std::max(least_error_s, (scan.to_s - scan.from_s) / (2 * deviations)), scan};
 }
 
 bool clock_is_free(const FitRequest& request) {
@@ -286,6 +318,7 @@ Clock scanned_clock(const Stage& stage, std::span<const Reading> readings) {
       found = scanned_clock(stage.groundwork, views, found.seconds - about_s,
                             found.seconds + about_s, believed);
   }
+  if (std::ranges::any_of(readings, &Reading::edited)) clock.scanned = found;
   clock.believed_s = nearest_s(found.seconds);
   clock.added_s = clock.error_s > 0 ? found.seconds : clock.believed_s;
   if (clock.error_s > 0 && found.decided)

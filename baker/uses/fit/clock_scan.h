@@ -41,8 +41,9 @@ double misfit_at(const FitGroundwork& groundwork, const ClockView& view, double 
 
 /// Clock correction found from photographs, and whether the photographs determined it.
 struct ScannedClock {
-  double seconds;  ///< correction to be added to the camera's times
-  bool decided;    ///< whether partial phases, not the prior, determined the correction
+  double seconds;       ///< correction to be added to the camera's times
+  bool decided;         ///< whether partial phases, not the prior, determined the correction
+  double from_s, to_s;  ///< corrections around it whose χ² exceeds the least χ² by 9 at most
 };
 
 /// Clock correction at which photographs match the Moon best, searched in steps of 5 minutes, then 1 minute, then 15 s.
@@ -61,7 +62,14 @@ struct Clock {
   double added_s = 0;     ///< correction with which light is computed
   double believed_s = 0;  ///< prior mean of the correction, before any comparison of light
   double error_s = 0;     ///< standard error of believed_s; 0 if times are exact
+  std::optional<ScannedClock> scanned{};  ///< by the shadow's place; only for edited photographs
 };
+
+/// Whether a clock's correction lies outside the range in which its scan allows it.
+bool strays(const Clock& clock);
+
+/// A scanned clock with the correction that its scan found, and the standard error that follows from its range.
+Clock scanned_again(const Clock& clock);
 
 /// Whether the clock's correction must be searched for, because it may exceed what the fit itself can find.
 bool clock_is_free(const FitRequest& request);

@@ -131,7 +131,8 @@ Look look_at(const Stage& stage, std::span<const Reading> readings, const Clock&
   return look;
 }
 
-/// Improves the clock correction by comparing light, without registering the photographs again.
+/// Improves the clock correction by comparing light, without registering the photographs again. An editor may have
+/// changed light so that it leads away from where the photographs show the shadow. Then that place determines the clock.
 ///
 /// Given  fit  coarse fit with the given clock, if known
 Clock told_by_light(const Stage& stage, std::span<const Binned> binned, Clock clock,
@@ -143,6 +144,7 @@ Clock told_by_light(const Stage& stage, std::span<const Binned> binned, Clock cl
     const double further_s = std::clamp(fit->goodness.clock_s, -most_s, most_s);
     fit.reset();
     clock.added_s += further_s;
+    if (strays(clock)) return scanned_again(clock);
     if (std::abs(further_s) < linear_s) break;
   }
   return clock;

@@ -143,6 +143,17 @@ constexpr std::array<std::string_view, 18> editors{
     "paint.net",    "photomatix", "photoscape", "picasa",      "pixelmator",    "polarr",
     "registax",     "sequator",   "snapseed",   "startools",   "windows photo", "xnview"};
 
+/// Whether a photograph's size differs from the one that its header states, upright or turned. Its camera wrote both, so
+/// another program has cropped or scaled the photograph.
+bool is_resized(const std::string& photo) {
+  const auto numbers = [&](std::string_view width, std::string_view height) {
+    const auto told = all_in_header(photo, {width, height});
+    return std::minmax({first_number(told[0].value_or("")), first_number(told[1].value_or(""))});
+  };
+  const auto stated = numbers("PixelXDimension", "PixelYDimension");
+  return stated.first && stated != numbers("FileWidth", "FileHeight");
+}
+
 /// ISO speed. The usual EXIF tag has only 16 bits. If it holds 65535, the true, higher speed is in another tag.
 std::optional<double> iso_of(const std::string& photo) {
   constexpr double most = 65535;
@@ -312,7 +323,9 @@ std::optional<std::string> editor_of(const std::string& photo) try {
   if (auto developer = developer_of(photo); developer || !(is_srgb(photo) || whole_tiff))
     return developer;
   auto program = program_of(photo, developers);
-  return program ? program : program_of(photo, editors);
+  if (!program) program = program_of(photo, editors);
+  if (!program && is_resized(photo)) program = "a program that the header does not name";
+  return program;
 } catch (const algebra::Error&) {
   return std::nullopt;
 }

@@ -67,7 +67,8 @@ std::optional<HeaderClock> gps_clock_of(const std::string& photo);
 std::optional<std::string> developer_of(const std::string& photo);
 
 /// The program that developed, edited or merely saved a picture with integer samples, if the header names the program.
-/// The header need not name a camera. Such samples cannot be converted to light, because their tone curve is unknown.
+/// If it names none, but states another size than the picture's, "a program that the header does not name". The header
+/// need not name a camera. Such samples cannot be converted to light, because their tone curve is unknown.
 /// Nothing for raw files and for files that cannot be read.
 std::optional<std::string> editor_of(const std::string& photo);
 

@@ -15,7 +15,8 @@ PhotoHeader photo_header(const std::string& photo) try {
   Exiv2::LogMsg::setLevel(Exiv2::LogMsg::mute);
   const auto image = Exiv2::ImageFactory::open(photo);
   image->readMetadata();
-  PhotoHeader header;
+  PhotoHeader header{{"FileWidth", std::to_string(image->pixelWidth())},
+                     {"FileHeight", std::to_string(image->pixelHeight())}};
   for (const auto& one : image->exifData()) {
     const auto group = one.groupName();
     const bool bytes = one.typeId() == Exiv2::undefined || one.typeId() == Exiv2::unsignedByte;

@@ -39,8 +39,10 @@ double displayed_of(double scene) {
   return low;
 }
 
-/// Pixels from red and dark to grey and bright, as in the umbra, as a camera with these colours displays them.
-std::vector<SharedPixel> written_by(const CameraColours& colours) {
+/// Pixels from red and dark to grey and bright, as in the umbra, as a camera with these colours displays them through a
+/// sky that alone is displayed as `sky`.
+std::vector<SharedPixel> written_by(const CameraColours& colours,
+                                    const glm::dvec3& sky = glm::dvec3(0)) {
   constexpr double exposure = 0.01;
   const auto to_xyz = glm::inverse(colour::channels_from_xyz(colour::WorkingSpace::linear_rec709));
   std::vector<SharedPixel> pixels;
@@ -52,7 +54,8 @@ std::vector<SharedPixel> written_by(const CameraColours& colours) {
     for (int k = 0; k < 3; ++k) {
       const auto parts =
           parts_of(static_cast<std::size_t>(k), colours, std::array{xyz.x, xyz.y, xyz.z});
-      shown[k] = displayed_of(exposure * (parts.r + parts.g + parts.b));
+      const double added = sky[k] * std::exp(colour::tone_logarithm({}, sky[k]));
+      shown[k] = displayed_of(exposure * (parts.r + parts.g + parts.b) + added);
     }
     pixels.push_back({1000, shown, rgb, false});
   }
@@ -78,6 +81,20 @@ TEST(FittedWriting, FindsTheGainsOfRedAndBlue) {
       for (std::size_t k = 0; k < colour::tone_components; ++k)
         EXPECT_WITHIN(found.curve.numbers[k], 0, 0.5, "half the scatter of cameras");
     }
+}
+
+TEST(FittedWriting, IgnoresLightOfWhichTheSkyIsMoreThanAThird) {
+  auto colours = camera_colours("canon-eos-600d", {});
+  colours.gains = {0.6, 1, 1.7};
+  const glm::dvec3 sky(0, 0.001, 0.0056);  // levels 3 and 17 of 255
+  const auto pixels = written_by(colours, sky);
+  colours.gains = glm::dvec3(1);
+  const auto blue = [&](const auto&... told) {
+    return fitted_writing(pixels, colours, told...).colours.gains.b / 1.7;
+  };
+  EXPECT_GT(blue(), 1.2);
+  EXPECT_WITHIN_RELATIVE(blue(sky), 1, 0.1,
+                         "sky adds a half to the darkest light used, 9 % averaged over the steps");
 }
 
 TEST(FittedWriting, RefusesTooFewSteps) { EXPECT_ERROR(fitted_writing({}, {}), "steps of light"); }

@@ -54,7 +54,23 @@ TEST_F(ClockScan, FindsAClockByPartialPhasesHoweverWrongItIs) {
     const auto clock = found(views, 600);
     EXPECT_TRUE(clock.decided);
     EXPECT_WITHIN(clock.seconds, -late_s, 30, "two of the last steps") << late_s;
+    EXPECT_LT(clock.from_s, -late_s);
+    EXPECT_GT(clock.to_s, -late_s);
+    EXPECT_LT(clock.to_s - clock.from_s, 1800) << "three sharp shadows";
   }
+}
+
+TEST(ScannedClock, IsKeptWhereLightLeadsAwayFromIt) {
+  Clock clock{.added_s = 500, .believed_s = 0, .error_s = 60};
+  EXPECT_FALSE(strays(clock)) << "nothing was scanned";
+  clock.scanned = ScannedClock{300, true, -300, 900};
+  EXPECT_FALSE(strays(clock));
+  clock.added_s = 901;
+  ASSERT_TRUE(strays(clock));
+  const auto again = scanned_again(clock);
+  EXPECT_EQ(again.added_s, 300);
+  EXPECT_EQ(again.believed_s, 300);
+  EXPECT_EQ(again.error_s, 200) << "a sixth of the range";
 }
 
 TEST_F(ClockScan, BelievesTheClockInTotality) {

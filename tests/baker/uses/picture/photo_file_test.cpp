@@ -216,7 +216,7 @@ class Header : public ScratchFolder {
   std::string with(const std::map<std::string, std::string>& exif,
                    const std::map<std::string, std::string>& xmp = {}) const {
     const auto file = in_folder("a.png").string();
-    texture::write_png(file, texture::Image(4, 4, {"R", "G", "B"}), 8, {});
+    texture::write_png(file, texture::Image(4, 3, {"R", "G", "B"}), 8, {});
     const auto image = Exiv2::ImageFactory::open(file);
     for (const auto& [key, text] : exif) image->exifData()[key].setValue(text);
     for (const auto& [key, text] : xmp) image->xmpData()[key].setValue(text);
@@ -251,6 +251,19 @@ TEST_F(Header, MayBeExifOrXmpInAnyFile) {
     EXPECT_EQ(exposure.f_number, 8);
     EXPECT_EQ(exposure.iso, 800);
   }
+}
+
+TEST_F(Header, TellsThatAnUnnamedProgramChangedTheSize) {
+  const auto editor = [&](const char* width, const char* height) {
+    return editor_of(with({{"Exif.Image.Make", "SONY"},
+                           {"Exif.Image.Software", "ILCE-6000 v3.20"},
+                           {"Exif.Photo.PixelXDimension", width},
+                           {"Exif.Photo.PixelYDimension", height}}));
+  };
+  EXPECT_EQ(editor("4", "3"), std::nullopt);
+  EXPECT_EQ(editor("3", "4"), std::nullopt) << "turned";
+  EXPECT_EQ(editor("6000", "4000"), "a program that the header does not name");
+  EXPECT_EQ(editor_of(with({{"Exif.Image.Make", "SONY"}})), std::nullopt) << "no size is stated";
 }
 
 TEST_F(Header, NamesTheProgramThatDeveloped) {
